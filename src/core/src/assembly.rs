@@ -15,7 +15,8 @@ use crate::preparing::{Keep, checked, placed};
 use crate::state::{MAX_INTERNAL, Output};
 use crate::tables::{Owned, OwnedElement, Tables};
 
-/// Friction and preload: parallel to the damper, or on the mass if the series compliance carries the whole force.
+/// Friction and preload (gas force): parallel to the damper, or on the internal mass if the series compliance carries
+/// the whole force.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outer {
     /// Friction without internal state.
@@ -29,12 +30,12 @@ impl Outer {
     pub const NONE: Outer = Outer { friction: Response::NONE, preload: Response::NONE };
 }
 
-/// Flag in the bit set of the elements that are on: friction and preload act on the mass.
+/// Flag in the bit set of the elements that are on: friction and preload act on the internal mass.
 const CARRIES_WHOLE: u64 = 1 << 63;
-/// Flag in the bit set of the elements that are on: an element with an internal state acts on the mass.
+/// Flag in the bit set of the elements that are on: an element with an internal state acts on the internal mass.
 const STATES_ON_MASS: u64 = 1 << 62;
 
-/// Expands the list of elements into their prepared set and the sums that the equations need.
+/// Expands the list of elements into the struct of the prepared elements and the sums of their forces.
 macro_rules! assembled {
     (
         primary { $primary:ident: $Primary:ty }
@@ -55,7 +56,7 @@ macro_rules! assembled {
         #[repr(C)]
         pub struct Elements<T: Tables = Owned> {
             on: u64,
-            /// The coupled elements in the force path.
+            /// The elements in the series and the hydraulic path, which act on each other.
             pub paths: Paths<T>,
             $($inner: $Inner,)*
             $($friction: T::Kept<$Friction>,)*
@@ -79,7 +80,8 @@ macro_rules! assembled {
                 }
             };
 
-            /// Checks the parameters of all elements that are on, first each element alone, then all together.
+            /// Checks the parameters of all elements that are on: first each element alone, then whether the elements
+            /// fit together.
             ///
             /// # Errors
             /// Returns the parameter at fault. More than [`MAX_INTERNAL`] internal states are an error without a
@@ -113,8 +115,8 @@ macro_rules! assembled {
                 states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
-            /// Computes the largest sum of the stiffnesses ∂F/∂x of the inner elements, N/m, over the displacements
-            /// `places` in m. The velocity is 0, and the result is at least 0.
+            /// Computes the largest sum of the stiffnesses ∂F/∂x of the elements on the internal mass, N/m, over the
+            /// displacements `places` in m. The velocity is 0, and the result is at least 0.
             ///
             /// # Errors
             /// Returns the parameter at fault.
@@ -159,8 +161,9 @@ macro_rules! assembled {
                 }
             }
 
-            /// Returns the elements at a setting, with the FV curve `fv` of that setting. Each element is borrowed from
-            /// the family or from `renewed`, which stores the elements that are prepared for the setting.
+            /// Returns the elements of a family at a setting, with the FV curve `fv` and the parameters `numbers` of
+            /// that setting. Each element is borrowed from the family or from `renewed`, which stores the elements that
+            /// are prepared for the setting.
             #[inline(always)]
             pub(crate) fn lent<'a>(
                 &'a self,
@@ -186,7 +189,7 @@ macro_rules! assembled {
             }
         }
 
-        /// Elements that were prepared again for a setting.
+        /// Elements that were prepared again for one setting of a family.
         pub(crate) struct Renewed {
             paths: RenewedPaths,
             $($friction: Option<$Friction>,)*
@@ -196,8 +199,8 @@ macro_rules! assembled {
         }
 
         impl Renewed {
-            /// Returns a set without elements. It is a function, because each use of a constant would copy the whole
-            /// set.
+            /// Returns a set in which no element is prepared. It is a function, because each use of a constant would
+            /// copy the whole set.
             #[inline(always)]
             pub(crate) fn none() -> Renewed {
                 Renewed {
@@ -228,7 +231,8 @@ macro_rules! assembled {
                 self.on & CARRIES_WHOLE != 0
             }
 
-            /// Sums all forces on the internal mass except that of the FV curve.
+            /// Sums all forces on the internal mass of elements without internal state, except the hydraulic and the
+            /// series force.
             #[inline(always)]
             pub fn on_the_mass(&self, at: &Motion) -> Response {
                 let mut sum = self.inner(at);
@@ -240,8 +244,9 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums friction and preload, wherever they act. Not inlined, because several copies of the code cost more
-            /// time. Only the plain step calls [`Elements::friction`] and [`Elements::preload`] directly.
+            /// Sums friction and preload, parallel to the damper or on the mass. Not inlined, because several copies of
+            /// the code cost more time than the call. Only the plain step calls [`Elements::friction`] and
+            /// [`Elements::preload`] directly.
             #[inline(never)]
             pub fn outer(&self, at: &Motion) -> Outer {
                 Outer { friction: self.friction(at), preload: self.preload(at) }
@@ -253,7 +258,7 @@ macro_rules! assembled {
                 if self.carries_whole() { Outer::NONE } else { self.outer(at) }
             }
 
-            /// Sums the elements that always act on the internal mass.
+            /// Sums the forces of the inner elements, which always act on the internal mass.
             #[inline(always)]
             pub fn inner(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -261,13 +266,14 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Returns whether an inner element is too nonlinear for one linearization per stage.
+            /// Returns whether an element on the internal mass may be too nonlinear for one linearization per stage of
+            /// a step.
             #[inline(always)]
             pub fn is_nonlinear(&self) -> bool {
                 false $(|| self.has(Place::$inner) && self.$inner.is_nonlinear())*
             }
 
-            /// Sums the inner elements; requires that [`Elements::is_nonlinear`] is false.
+            /// Sums the forces of the inner elements; requires that [`Elements::is_nonlinear`] is false.
             #[inline(always)]
             pub fn linear_force(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -275,7 +281,8 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums the inner elements if all of them have a short form ([`Force::at_once`]).
+            /// Sums the forces of the inner elements if all of them have a short form ([`Force::at_once`]); otherwise
+            /// returns `None`.
             #[inline(always)]
             pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -283,7 +290,7 @@ macro_rules! assembled {
                 Some(sum)
             }
 
-            /// Sums the friction elements.
+            /// Sums the forces of the friction elements without internal state.
             #[inline(always)]
             pub fn friction(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
@@ -291,7 +298,7 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums the friction if all its elements have a short form ([`Force::at_once`]).
+            /// Sums the friction if all its elements have a short form ([`Force::at_once`]); otherwise returns `None`.
             #[inline(always)]
             pub fn friction_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -307,7 +314,7 @@ macro_rules! assembled {
                 sum
             }
 
-            /// Sums the preload if all its elements have a short form ([`Force::at_once`]).
+            /// Sums the preload if all its elements have a short form ([`Force::at_once`]); otherwise returns `None`.
             #[inline(always)]
             pub fn preload_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
@@ -315,21 +322,23 @@ macro_rules! assembled {
                 Some(sum)
             }
 
-            /// Sums the stops at the ends of the stroke.
+            /// Sums the forces of the stops at the ends of the stroke.
             pub fn stops(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(Place::$stop) { sum.add(self.$stop.force(at)); })*
                 sum
             }
 
-            /// Calls `visit` with the names of the parallel elements with internal states, in their order.
+            /// Calls `visit` with the names of the parallel elements with internal states that are on, in the order of
+            /// the element list.
             pub fn each_stateful_name(&self, mut visit: impl FnMut(&'static str)) {
                 $(if self.has(Place::$stateful) {
                     visit(stringify!($stateful));
                 })*
             }
 
-            /// Returns the parallel elements with internal states that are on, as bits in their order.
+            /// Returns the parallel elements with internal states that are on, as bits in the order of the element
+            /// list.
             pub(crate) fn memory_bits(&self) -> u64 {
                 let (mut bits, mut next) = (0, 1);
                 $(if self.has(Place::$stateful) {
@@ -340,7 +349,7 @@ macro_rules! assembled {
                 bits
             }
 
-            /// Returns the number of internal states.
+            /// Returns the number of internal states of the elements that are on.
             pub fn memories(&self) -> usize {
                 const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
                 self.paths.slots().count() + (self.on & MEMORY).count_ones() as usize
@@ -361,14 +370,16 @@ macro_rules! assembled {
                 self.on & STATEFUL_OR_STOP != 0
             }
 
-            /// Returns whether the internal mass is on, and the plain step of the mass covers all elements that are on.
+            /// Returns whether the series compliance is on, and no element is on that needs more than the cheap step of
+            /// the mass.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
                 const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
                 self.on & REST == Paths::<Owned>::MASS
             }
 
-            /// Calls `visitor` for each element that is on and has one internal state, with code compiled for its type.
+            /// Calls `visitor` for each parallel element that is on and has one internal state, with code compiled for
+            /// the element's type.
             #[inline(always)]
             pub fn visit_stateful(&self, visitor: &mut impl StateVisitor) {
                 let mut place = self.paths.slots().count();
@@ -403,7 +414,7 @@ macro_rules! assembled {
 
 each_element!(assembled);
 
-/// Adapter that passes elements with internal states as trait objects.
+/// Visitor that passes elements with internal states as trait objects to a function.
 struct Shown<F>(F);
 
 impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
@@ -414,8 +425,8 @@ impl<F: FnMut(usize, &dyn StatefulForce)> StateVisitor for Shown<F> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Subtracts friction and gas force from the spring force in `output` and adds them to their own outputs, if they
-    /// act on the mass.
+    /// Moves friction and gas force from the spring force in `output` to their own outputs, if they act on the internal
+    /// mass.
     #[inline(always)]
     pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion, internal: &[f64; MAX_INTERNAL]) {
         if self.carries_whole() {
@@ -430,7 +441,8 @@ impl<T: Tables> Elements<T> {
         }
     }
 
-    /// Calls `visit` with element and response for each element that acts on the mass and has an internal state.
+    /// Calls `visit` with element and response for each element that acts on the internal mass and has an internal
+    /// state.
     #[inline(always)]
     pub(crate) fn each_on_mass(
         &self,
@@ -448,7 +460,7 @@ impl<T: Tables> Elements<T> {
         });
     }
 
-    /// Sums the forces of the elements that act on the mass and have an internal state, at given states.
+    /// Sums the forces of the elements that act on the internal mass and have an internal state, at given states.
     #[inline(always)]
     pub(crate) fn states_on_mass(&self, mass: &Motion, internal: &[f64; MAX_INTERNAL]) -> Response {
         let mut sum = Response::NONE;
@@ -464,7 +476,8 @@ impl<T: Tables> Elements<T> {
 }
 
 impl<T: Tables> Elements<T> {
-    /// Returns whether the damper can use the plain step although its force fades with temperature.
+    /// Returns whether the damper can use the plain step ([`mod@crate::step`]) although its force fades with
+    /// temperature.
     ///
     /// The fade must be the only element of the force path. It must scale the whole FV curve by a factor that depends
     /// on the host's temperature alone. The springs must be linear enough, because the plain step does not solve

@@ -2,7 +2,7 @@
 //!
 //! The force–velocity curve and the lookup spring are such curves. Besides value and derivative, a curve computes the
 //! *resolvent* of an implicit step: the `u` that satisfies `a u + f(u) = r` ([`Curve::solve`]). The solution is unique,
-//! because the curve never falls. The number of operations has a small bound, whatever the data.
+//! because the curve never falls. The number of operations has a small bound, whatever the points.
 
 use crate::fault::Reason;
 use crate::math::{max, min, pair};
@@ -11,14 +11,15 @@ use crate::math::{max, min, pair};
 pub const MAX_POINTS: usize = 63;
 /// Smallest distance between two points, m/s or m.
 ///
-/// No channel of a test rig resolves a smaller difference of velocity or displacement. The coefficients of a piece are
-/// divided by the distance and its square. With a smaller distance, the piece's derivative would have no valid digits.
+/// No channel of a test rig resolves a smaller difference of velocity or displacement. The coefficients of a piece
+/// between two points are divided by the distance and its square. With a smaller distance, the piece's derivative would
+/// have no valid digits.
 pub const NEAREST: f64 = 1e-6;
 /// Largest derivative between two points, N s/m or N/m: 100 N per micrometer (per second).
 ///
 /// A force computed from a velocity has the rounding error of the velocity, 1e-17 m/s, times the derivative. With this
-/// limit the error is far below a millinewton. The limit is a hundred times the derivative of the steepest damper; a
-/// steeper rise is an invalid measurement.
+/// limit the error is far below a millinewton. The limit is a hundred times the derivative of the steepest damper's
+/// curve; a steeper rise is an invalid measurement.
 pub const STEEPEST: f64 = 1e8;
 /// Largest number of pieces: one between each pair of adjacent points, and one beyond each end.
 const PIECES: usize = 64;
@@ -29,8 +30,8 @@ pub enum Interpolation {
     /// Piecewise cubic Hermite with Fritsch–Butland derivatives (SIAM J. Sci. Stat. Comput. 5, 1984): smooth derivative,
     /// no overshoot.
     MonotoneCubic,
-    /// Monotone cubic on each side of zero. The derivatives at zero differ, like those of the valves for rebound and
-    /// compression.
+    /// Monotone cubic on each side of zero. The derivatives on both sides of zero differ, because the valves for
+    /// rebound and compression differ.
     ///
     /// Each derivative at zero is that of the parabola through zero and two further points (see [`derivatives`]).
     CubicEachSide,
@@ -38,33 +39,34 @@ pub enum Interpolation {
     Linear,
 }
 
-/// Value and derivative of a curve at one position.
+/// Value and derivative of a curve at one argument u (a velocity, m/s, or a displacement, m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Value {
-    /// f(u).
+    /// Value f(u), N.
     pub value: f64,
-    /// df/du.
+    /// Derivative df/du, N s/m or N/m.
     pub derivative: f64,
 }
 
-/// One piece: `f(u) = f0 + t (c1 + t (c2 + t c3))` with `t = u − u0`.
+/// One piece of a curve: `f(u) = f0 + t (c1 + t (c2 + t c3))` with `t = u − u0`.
 #[derive(Clone, Copy, Debug)]
 struct Piece {
     u0: f64,
     f0: f64,
-    /// f0 − f(0).
+    /// Value at the start of the piece relative to that at u = 0: f0 − f(0), N.
     above: f64,
     c1: f64,
-    /// c2 for the value and 2 c2 for the derivative, so that both polynomials are evaluated in parallel. Likewise, `c3`
-    /// contains c3 and 3 c3.
+    /// Coefficient c2 for the value and 2 c2 for the derivative, so that both polynomials are evaluated in parallel.
+    /// Likewise, `c3` contains c3 and 3 c3.
     c2: [f64; 2],
     c3: [f64; 2],
 }
 
-/// Extent of a piece and its mean derivative.
+/// Extent of a piece of a curve and its mean derivative.
 #[derive(Clone, Copy, Debug)]
 struct Extent {
-    /// Ends of the piece as values of t = u − u0; the outer pieces extend to the largest finite numbers.
+    /// Lower end of the piece as a value of t = u − u0; `high` is the upper end. The outer pieces extend to the largest
+    /// finite numbers.
     low: f64,
     high: f64,
     /// Mean derivative of an inner piece, or the derivative of an outer piece.
@@ -74,40 +76,41 @@ struct Extent {
 /// A prepared curve.
 #[derive(Clone, Copy, Debug)]
 pub struct Curve {
-    /// Points (u, f), ascending; the unused entries are larger than any argument.
+    /// Points (u, f), ascending; the unused entries are the largest finite number.
     points: [[f64; 2]; PIECES],
-    /// The pieces, without their extents, which an evaluation does not need. Thus a piece fills one cache line.
+    /// The pieces, without their extents, which an evaluation does not need. A piece therefore fills one cache line.
     pieces: [Piece; PIECES],
     extents: [Extent; PIECES],
     /// Number of points.
     count: u32,
-    /// Largest number of points inside one bucket.
+    /// Largest number of points inside one of the [`BUCKETS`].
     crowded: u32,
-    /// Number of points below each bucket: the buckets of positive arguments, then those of negative ones.
+    /// Number of points whose u is below each bucket: the buckets of positive arguments, then those of negative ones.
     below: [[u8; BUCKETS]; 2],
-    /// f(0).
+    /// Value of the curve at 0, f(0), N.
     at_zero: f64,
     low: f64,
     high: f64,
 }
 
-/// Value, derivative and curvature of a curve at one position; the value is relative to f(0).
+/// Value, derivative and curvature of a curve at one argument u; the value is relative to f(0).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Above {
-    /// f(u) − f(0), which has the sign of u.
+    /// Value relative to that at 0, f(u) − f(0), N: it never has the opposite sign of u.
     pub value: f64,
-    /// df/du.
+    /// Derivative df/du, N s/m or N/m.
     pub derivative: f64,
-    /// d²f/du².
+    /// Curvature d²f/du².
     pub curvature: f64,
 }
 
-/// Number of buckets on each side of 0, for a lookup without comparisons.
+/// Number of buckets (intervals of the argument) on each side of 0, for a lookup of a piece without comparisons.
 const BUCKETS: usize = 256;
-/// Number of points in one bucket above which bisection is faster than a linear search.
+/// Number of points in one bucket of the lookup above which bisection is faster than a linear search.
 const CROWDED: u32 = 3;
 
-/// Returns the bucket of `u`: whether `u` has a negative sign, and the index of the bucket outward from 0.
+/// Returns the bucket (interval of the lookup) that contains `u`: whether `u` has a negative sign, and the index of the
+/// bucket outward from 0.
 ///
 /// The index consists of the exponent and the first four bits of the mantissa of |u| + 2^-12, clamped below 2^4. This
 /// makes sixteen buckets per power of two, so the buckets are narrow where damper curves have knees. Rounding cannot
@@ -124,8 +127,8 @@ fn bucket(u: f64) -> (bool, u8) {
 }
 
 const FAR: f64 = f64::MAX;
-/// Largest Householder step, relative to the width of the piece, after which the iteration stops. The remaining relative
-/// error is then about the fourth power of this ratio.
+/// Largest Householder step, relative to the width of the piece, after which [`Curve::solve`] stops. The remaining
+/// error, relative to that width, is then about the fourth power of this ratio.
 const FEW: f64 = 1e-3;
 
 impl Curve {
@@ -286,7 +289,7 @@ impl Curve {
         }
     }
 
-    /// Returns the first and the last `u` of the points.
+    /// Returns the first and the last `u` of the points, or zeros for a cleared curve.
     pub fn range(&self) -> (f64, f64) {
         (self.low, self.high)
     }
@@ -297,7 +300,8 @@ impl Curve {
         &self.pieces[index & (PIECES - 1)]
     }
 
-    /// Returns the number of points at which `key(u, f)` is at most `r`: the index of the piece that contains `r`.
+    /// Returns the number of points at which `key(u, f)` is at most `r`. It is the index of the piece in which the key,
+    /// which rises from point to point, reaches `r`.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;
@@ -305,8 +309,8 @@ impl Curve {
             let [u, f] = self.points[(index + half - 1) & (PIECES - 1)];
             index = if key(u, f) <= r { index + half } else { index };
         };
-        // The bisection is unrolled, so that its cost is fixed. Most tables have fewer than 16 points and need only four
-        // comparisons.
+        // The bisection over the points is unrolled, so that its cost is fixed. Most curves have fewer than 16 points
+        // and need only four comparisons.
         if self.count >= 16 {
             halve(32);
             halve(16);
@@ -346,12 +350,12 @@ impl Curve {
         p.at(u - p.u0)
     }
 
-    /// Computes f(u) − f(0), the derivative and the curvature of the curve at `u`.
+    /// Computes the value f(u) − f(0) relative to that at 0, the derivative and the curvature of the curve at `u`.
     #[inline(always)]
     pub fn above_zero(&self, u: f64) -> Above {
         let p = self.at_place(u);
         let t = u - p.u0;
-        // The polynomial is evaluated in two halves, which processors compute in parallel.
+        // The polynomial of the piece is evaluated in two halves, which processors compute in parallel.
         let [bent, bending] = pair(|k| p.c2[k] + t * p.c3[k]);
         Above {
             value: (p.above + t * p.c1) + (t * t) * bent,
@@ -370,9 +374,9 @@ impl Curve {
     ///
     /// The values of `a u + f(u)` at the points determine the piece. Inside the piece, `STEPS` Householder steps of
     /// fourth order start from the chord and are clamped to the piece. The errors below are the largest of all monotone
-    /// pieces, relative to the piece's height. The worst piece has end derivatives of 0 and 3 times the mean. If `a` is
-    /// 0.6, 0.3 or 0.1 of the mean derivative, the error after two steps is at most 1e-10, 6e-8 or 2e-5. If `a` is 0.03
-    /// of it, the error after three steps is 1e-9.
+    /// cubic pieces, relative to the piece's height. The worst piece has end derivatives of 0 and 3 times the piece's
+    /// mean derivative. If `a` is 0.6, 0.3 or 0.1 of the mean derivative, the error after two steps is at most 1e-10,
+    /// 6e-8 or 2e-5. If `a` is 0.03 of the mean derivative, the error after three steps is 1e-9.
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let index = self.locate(r, |u, f| a * u + f);
@@ -391,7 +395,7 @@ impl Curve {
             t -= step;
             t = max(extent.low, t);
             t = min(extent.high, t);
-            // The remaining error is about the fourth power of the step.
+            // The remaining error is about the fourth power of the step, both relative to the width of the piece.
             if step.abs() <= FEW * extent.high {
                 break;
             }
@@ -401,7 +405,7 @@ impl Curve {
 }
 
 impl Piece {
-    /// Returns (f − f0)/t and the derivative of f for the piece with linear term `c1`.
+    /// Returns (f − f0)/t and the derivative of f at `t` for a piece whose linear coefficient is replaced by `c1`.
     #[inline(always)]
     fn polynomials(&self, c1: f64, t: f64) -> [f64; 2] {
         pair(|k| c1 + t * (self.c2[k] + t * self.c3[k]))
@@ -414,7 +418,7 @@ impl Piece {
     }
 }
 
-/// Returns the derivatives of a cubic curve before and after its point `i`.
+/// Returns the derivatives of a cubic curve through the points (`u`, `f`) before and after point `i`.
 ///
 /// The two derivatives differ only at zero and only with [`Interpolation::CubicEachSide`]. Each is then the derivative
 /// of the parabola through zero and the next two points of its side, but at least 0. If the side has only one point, the
@@ -438,9 +442,9 @@ pub fn derivatives(u: &[f64], f: &[f64], i: usize, interpolation: Interpolation)
     [one_sided(i - 1, i.checked_sub(2)), one_sided(i + 1, Some(i + 2))]
 }
 
-/// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the neighboring chords.
-/// The derivative is zero if the chords differ in sign or one of them is horizontal. At the first and the last point it
-/// is that of the adjacent chord.
+/// Returns the derivative at point `i` after Fritsch and Butland: the weighted harmonic mean of the slopes of the
+/// neighboring chords. It is zero if the slopes differ in sign or one of them is zero. At the first and the last point
+/// it is the slope of the adjacent chord.
 pub fn monotone_derivative(u: &[f64], f: &[f64], i: usize) -> f64 {
     let at = |s: &[f64], k: usize| s.get(k).copied().unwrap_or(0.0);
     let n = u.len();
@@ -493,7 +497,8 @@ mod tests {
         }
     }
 
-    /// The derivatives at zero are those of the two sides: of a line in rebound and of a parabola in compression.
+    /// At zero, the curve has a derivative for each side: here that of a line in rebound, and that of a parabola in
+    /// compression.
     #[test]
     fn each_side_has_a_derivative_of_its_own_at_zero() {
         let u = [-1.0, -0.3, -0.1, 0.0, 0.2, 0.5, 1.0];
@@ -525,8 +530,8 @@ mod tests {
         }
     }
 
-    /// The bucket lookup finds the piece that counting the points below an argument gives. The tables are dense and
-    /// sparse, with points at bucket edges and at 0 of either sign.
+    /// The lookup by buckets finds the piece that counting the points below an argument gives. The curves are dense and
+    /// sparse, with points at the ends of buckets and at 0 of either sign.
     #[test]
     fn buckets_lead_to_the_piece_that_halving_finds() {
         let even = |n: usize, width: f64| -> std::vec::Vec<f64> {

@@ -1,7 +1,7 @@
 //! Numbers that carry their derivatives.
 //!
-//! The equations of the coupled force path are written once. With plain numbers they give values, with [`Dual`] also
-//! exact derivatives.
+//! The equations of the force path ([`crate::paths`]) are written once for both kinds of numbers. With plain numbers
+//! they give values, with [`Dual`] also exact derivatives.
 
 use crate::math::{exp, tanh};
 use core::ops::{Add, Mul, Neg, Sub};
@@ -14,7 +14,7 @@ pub trait Real:
     fn constant(value: f64) -> Self;
     /// Returns the value without derivatives.
     fn value(self) -> f64;
-    /// Applies a function, given by its value and its derivative at the number.
+    /// Applies a function to the number (chain rule). `value` and `derivative` are those of the function at the number.
     fn chain(self, value: f64, derivative: f64) -> Self;
 
     /// Adds a constant.
@@ -81,7 +81,7 @@ impl Real for f64 {
 pub struct Dual<const N: usize> {
     /// The number.
     pub value: f64,
-    /// The derivatives.
+    /// Derivatives of the number, one for each variable.
     pub derivatives: [f64; N],
 }
 
@@ -136,7 +136,7 @@ impl<const N: usize> Sub for Dual<N> {
 
 impl<const N: usize> Mul for Dual<N> {
     type Output = Dual<N>;
-    // The product rule contains a sum, which the lint reports as suspicious.
+    // The product rule contains a sum, which the lint reports as suspicious in a multiplication.
     #[allow(clippy::suspicious_arithmetic_impl)]
     #[inline(always)]
     fn mul(self, other: Dual<N>) -> Dual<N> {

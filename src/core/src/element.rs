@@ -1,11 +1,12 @@
-//! Interface of an element: the motion that acts on it, its force and state derivative, and its preparation.
+//! Interface of an element of the damper model: the motion that acts on it, its force and state derivative, and its
+//! preparation.
 
 use crate::dual::Dual;
 use crate::fault::Fault;
 use crate::input::{Path, Travel};
 use crate::schema::{Describe, View};
 
-/// The motion and the environment of an element.
+/// The motion, the side force and the temperature that act on an element.
 #[derive(Clone, Copy, Debug)]
 pub struct Motion {
     /// Displacement, m, extension positive.
@@ -23,9 +24,9 @@ pub struct Motion {
 pub struct Response {
     /// Force, N, tension positive.
     pub force: f64,
-    /// ∂F/∂x, N/m.
+    /// Derivative of the force with respect to displacement x, N/m.
     pub d_force_d_x: f64,
-    /// ∂F/∂v, N s/m.
+    /// Derivative of the force with respect to velocity v, N s/m.
     pub d_force_d_v: f64,
 }
 
@@ -46,19 +47,19 @@ impl Response {
 pub struct StateResponse {
     /// Force, N.
     pub force: f64,
-    /// ∂F/∂x.
+    /// Derivative of the force with respect to displacement x, N/m.
     pub d_force_d_x: f64,
-    /// ∂F/∂v.
+    /// Derivative of the force with respect to velocity v, N s/m.
     pub d_force_d_v: f64,
-    /// ∂F/∂z.
+    /// Derivative of the force with respect to the internal state z, N per unit of z.
     pub d_force_d_z: f64,
-    /// dz/dt.
+    /// Time derivative of the internal state, dz/dt, unit of z per s.
     pub rate: f64,
-    /// ∂(dz/dt)/∂x.
+    /// Derivative of dz/dt with respect to displacement x.
     pub d_rate_d_x: f64,
-    /// ∂(dz/dt)/∂v.
+    /// Derivative of dz/dt with respect to velocity v.
     pub d_rate_d_v: f64,
-    /// ∂(dz/dt)/∂z, at most 0.
+    /// Derivative of dz/dt with respect to the internal state z, 1/s, at most 0.
     pub d_rate_d_z: f64,
 }
 
@@ -79,15 +80,15 @@ impl StateResponse {
 /// State and force of an element with one internal state at the end of a step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct EndState {
-    /// The state z.
+    /// The internal state z at the end of the step, in its own unit.
     pub z: f64,
-    /// Force, with total derivatives with respect to final displacement and velocity, which include the change of z.
+    /// Force, N, with total derivatives with respect to final displacement and velocity, which include the change of z.
     pub response: Response,
 }
 
 impl EndState {
     /// Computes the total derivatives of the force from the response at the end of the step. `by_end` are the
-    /// derivatives of z with respect to displacement and velocity at the end.
+    /// derivatives of the state `z` with respect to displacement and velocity at the end of the step.
     #[inline(always)]
     pub fn new(z: f64, by_end: [f64; 2], end: &StateResponse) -> EndState {
         let response = Response {
@@ -103,7 +104,7 @@ impl EndState {
 pub trait Prepare: Describe + Sized {
     /// The element switched off.
     const OFF: Self;
-    /// Prepares the element, and checks conditions between its parameters, which the bounds of each parameter cannot
+    /// Prepares the element, and checks the conditions between its parameters that bounds of single parameters cannot
     /// express.
     ///
     /// # Errors
@@ -134,12 +135,13 @@ pub trait Prepare: Describe + Sized {
     }
 }
 
-/// An element whose force depends on the present motion alone.
+/// An element whose force depends on the present [`Motion`] alone, without internal state.
 pub trait Force {
-    /// Computes force and derivatives.
+    /// Computes the force, N, at the motion `at`, with its derivatives with respect to displacement and velocity.
     fn force(&self, at: &Motion) -> Response;
 
-    /// Computes [`Force::force`], bitwise equal, if a few operations suffice; returns `None` otherwise.
+    /// Computes the result of [`Force::force`], equal bit by bit, if a few operations suffice; returns `None`
+    /// otherwise.
     ///
     /// This short form suffices for most steps of most models, so [`Force::force`] rarely runs.
     #[inline(always)]
@@ -147,13 +149,13 @@ pub trait Force {
         None
     }
 
-    /// Returns whether the force may be too nonlinear for one linearization per stage of a step.
+    /// Returns whether the force may be too nonlinear for a single linearization in each implicit stage of a step.
     #[inline(always)]
     fn is_nonlinear(&self) -> bool {
         false
     }
 
-    /// Computes [`Force::force`]; requires that [`Force::is_nonlinear`] is false.
+    /// Computes the result of [`Force::force`]; requires that [`Force::is_nonlinear`] is false.
     #[inline(always)]
     fn linear_force(&self, at: &Motion) -> Response {
         self.force(at)
@@ -163,11 +165,11 @@ pub trait Force {
 /// The output, besides the total force, to which the force of an element is added.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForceComponent {
-    /// The total alone.
+    /// No output besides the total force.
     Total,
-    /// The friction.
+    /// The friction force of the output.
     Friction,
-    /// The gas force.
+    /// The gas force of the output.
     Gas,
 }
 
@@ -177,25 +179,27 @@ pub trait StatefulForce {
     fn component(&self) -> ForceComponent {
         ForceComponent::Total
     }
-    /// Computes force, state derivative and all partial derivatives at state `z`.
+    /// Computes force, state derivative and their partial derivatives at the motion `at` and the internal state `z`.
     fn evaluate(&self, at: &Motion, z: f64) -> StateResponse;
-    /// Computes the steady state z under constant motion.
+    /// Computes the internal state z at which dz/dt is 0 under the constant motion `at`.
     fn equilibrium(&self, at: &Motion) -> f64;
 
-    /// Computes the steady state at motion `at` of an element that had state `_z` at displacement `_from`, m.
+    /// Computes the steady state under the motion `at` of an element that had the internal state `_z` at displacement
+    /// `_from`, m.
     ///
     /// It differs from [`StatefulForce::equilibrium`] if [`StatefulForce::is_path_dependent`] is true.
     fn equilibrium_from(&self, _from: f64, _z: f64, at: &Motion) -> f64 {
         self.equilibrium(at)
     }
 
-    /// Returns whether the state at rest depends on the previous path of the displacement instead of the velocity.
+    /// Returns whether the steady state depends on the displacements before it, as at zero velocity, instead of the
+    /// velocity.
     fn is_path_dependent(&self, _at: &Motion) -> bool {
         false
     }
 
-    /// Returns whether the element acts on the internal mass if the series compliance carries the whole force.
-    /// Otherwise it is parallel to the damper.
+    /// Returns whether the element acts on the internal mass if the series compliance carries the whole force. If the
+    /// result is false, the element is always parallel to the damper.
     fn acts_on_mass(&self) -> bool {
         false
     }
@@ -204,13 +208,13 @@ pub trait StatefulForce {
     /// Called only if [`StatefulForce::acts_on_mass`] is true.
     ///
     /// The caller chooses the two variables of the derivatives. The force must not decrease with the final
-    /// displacement, so that a stage has a unique solution.
+    /// displacement, so that an implicit stage of the step has a unique solution. The result is [state, force in N].
     fn propagate_on_mass(&self, _from: Dual<2>, _travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         [z, Dual::new(0.0, [0.0; 2])]
     }
 
-    /// Computes state and force after the motion along a path, in closed form. The derivatives are undefined unless
-    /// `_derivatives` is true.
+    /// Computes state and force at the end of the motion `_path` from the initial state `_z`, in closed form. The
+    /// derivatives are undefined unless `_derivatives` is true.
     ///
     /// Returns `None` if there is no closed form. The step then integrates the state derivative.
     fn propagate(&self, _path: &Path, _z: f64, _derivatives: bool) -> Option<EndState>
@@ -223,6 +227,6 @@ pub trait StatefulForce {
 
 /// Visitor of the elements with an internal state, each with its own type.
 pub trait StateVisitor {
-    /// Visits the element whose state has this index.
+    /// Visits an element; `index` is the index of its state in [`crate::State::internal`].
     fn visit<M: StatefulForce>(&mut self, index: usize, element: &M);
 }

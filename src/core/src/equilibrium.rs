@@ -7,8 +7,8 @@ use crate::paths;
 use crate::state::{MAX_INTERNAL, Output, State};
 use crate::tables::{ForceLaw, Tables};
 
-/// Number of bracketed Newton steps to the deflection of the series spring. It may be large, because the equilibrium
-/// may cost more time than a step.
+/// Number of bracketed Newton steps to the deflection of the series spring at equilibrium. It is large, because an
+/// equilibrium may cost more time than a step of the host.
 const STEPS: usize = 100;
 
 /// Largest residual of the force balance, relative to its forces, that counts as rounding error.
@@ -21,18 +21,18 @@ const NEAR: f64 = 1e-6;
 impl Model {
     /// Returns the steady state at an initial position: the damper rests, or moves steadily with `input.velocity`.
     ///
-    /// If `input` has no displacement, the displacement is 0.
+    /// If `input` has no displacement, 0 is used.
     pub fn steady_state(&self, input: &Input) -> State {
         self.equilibrium(input)
     }
 
     /// Returns the steady state of a damper that was in state `from`: friction contacts at rest keep their deflection.
-    /// If `input` has no displacement, the displacement of `from` applies.
+    /// If `input` has no displacement, that of `from` is used.
     pub fn steady_state_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_from(from, input)
     }
 
-    /// Returns the static force at `input` with its derivatives: the output of the steady state.
+    /// Returns the output of the steady state at `input`: the static force with its derivatives.
     pub fn static_output(&self, input: &Input) -> Output {
         self.static_output_from(&self.steady_state(input), input)
     }
@@ -47,20 +47,21 @@ impl Model {
 }
 
 impl<T: Tables> Model<T> {
-    /// Computes the equilibrium at a position: see [`Model::steady_state`].
+    /// Computes the equilibrium at the motion `input`: see [`Model::steady_state`].
     pub(crate) fn equilibrium(&self, input: &Input) -> State {
         let x = input.displacement.unwrap_or(0.0);
         let fresh = State { displacement: x, layout: self.layout, ..State::ZERO };
-        // A contact that has never moved has zero deflection and keeps it.
+        // At rest, a friction contact that has never moved keeps its zero deflection.
         self.equilibrium_keeping(&fresh, input, (input.velocity == 0.0).then_some(&fresh))
     }
 
-    /// Computes the equilibrium of a damper with a history: see [`Model::steady_state_from`].
+    /// Computes the equilibrium of a damper that was in state `from`: see [`Model::steady_state_from`].
     pub(crate) fn equilibrium_from(&self, from: &State, input: &Input) -> State {
         self.equilibrium_keeping(from, input, None)
     }
 
-    /// Computes [`Model::equilibrium_from`]; contacts at rest keep their deflection from the state `kept`.
+    /// Computes the result of [`Model::equilibrium_from`]; with `kept`, friction contacts keep their deflection from
+    /// that state.
     fn equilibrium_keeping(&self, from: &State, input: &Input, kept: Option<&State>) -> State {
         let laid_out;
         let from = if self.has_laid_out(from) {
@@ -94,7 +95,8 @@ impl<T: Tables> Model<T> {
             internal
         };
         settle(false, from.displacement, &motion(x));
-        // The force on the mass at position `x_m`, with the largest possible derivative of the contacts.
+        // The force on the internal mass at position `x_m`, with the largest possible derivative of the friction
+        // contacts, that without slip.
         let mut on_the_mass = |x_m: f64| {
             let at = motion(x_m);
             let mut sum = e.on_the_mass(&at);
@@ -114,8 +116,9 @@ impl<T: Tables> Model<T> {
             ([0.0; paths::STATES], e.paths.fv_curve.evaluate(v).value)
         };
         if e.has_series() {
-            // The force of the springs on the mass never decreases with its displacement. The series spring would
-            // therefore deflect more if the mass stayed at `x`, and that deflection bounds the solution.
+            // The force of the springs on the mass never decreases with its displacement. The force with the mass at
+            // `x` therefore deflects the series spring further than the solution does, so this deflection bounds the
+            // solution.
             let alone = primary + on_the_mass(x).force;
             let furthest = x - paths::series::furthest(&e.paths, alone).copysign(alone);
             let (mut low, mut high) = if furthest < x { (furthest, x) } else { (x, furthest) };
@@ -130,7 +133,8 @@ impl<T: Tables> Model<T> {
                     high = x_m;
                 }
                 let newton = x_m + left / (k + inner.d_force_d_x);
-                // A slipping contact has a smaller derivative than assumed, so Newton steps may converge slowly.
+                // A slipping friction contact has a smaller derivative than assumed, so Newton steps may converge
+                // slowly. Bisection then replaces them.
                 let slow = e.has_states_on_mass()
                     && left.abs() > 0.5 * last
                     && left.abs() > ROUNDING * (series.abs() + primary.abs());
@@ -144,7 +148,7 @@ impl<T: Tables> Model<T> {
         State { displacement: x, velocity: v, mass_displacement: x_m, mass_velocity: v, ..state }
     }
 
-    /// Computes the force at equilibrium: see [`Model::static_output_from`].
+    /// Computes the output at equilibrium: see [`Model::static_output_from`].
     pub(crate) fn equilibrium_output_from(&self, from: &State, input: &Input) -> Output {
         let state = self.equilibrium_from(from, input);
         let mut output = crate::evaluate::force_of(self, &state, input);
@@ -157,7 +161,8 @@ impl<T: Tables> Model<T> {
         let e = &self.elements;
         let outer = Motion { displacement: state.displacement, ..at };
         if e.has_paths() {
-            // The differences include the parallel elements with internal states.
+            // These central differences of the whole force include the parallel elements with internal states, whose
+            // derivatives are therefore not added again below.
             let input_velocity = input.velocity;
             let force = |x: f64, v: f64| {
                 let input = Input { displacement: Some(x), velocity: v, ..*input };
@@ -171,8 +176,8 @@ impl<T: Tables> Model<T> {
             return output;
         }
         if e.has_series() {
-            // At equilibrium, the series spring and the inner springs are in series, and both ends of the series spring
-            // have the input velocity.
+            // At equilibrium, the series spring and the springs on the mass are in series, and both ends of the series
+            // spring have the input velocity.
             let k = e.paths.series_compliance.stiffness;
             let (inner, primary) = (e.inner(&at), e.paths.fv_curve.evaluate(input.velocity));
             let share = k / (k + inner.d_force_d_x);
@@ -180,11 +185,12 @@ impl<T: Tables> Model<T> {
             output.d_force_d_velocity +=
                 share * (primary.derivative + inner.d_force_d_v) - e.paths.series_compliance.damping;
         }
-        // The steady state of an internal state depends on the input, so it contributes to the derivatives.
+        // The equilibrium value of an internal state depends on the input, so its change contributes to the
+        // derivatives.
         e.each_stateful(|place, element| {
             let response = element.evaluate(&outer, state.internal.get(place).copied().unwrap_or(0.0));
             if element.is_path_dependent(&outer) {
-                // The mean of the derivatives for displacement in either direction.
+                // This is the mean of the derivatives for a displacement in either direction.
                 output.d_force_d_displacement += response.d_force_d_z * response.d_rate_d_v;
             } else if response.d_rate_d_z < 0.0 {
                 let follows = -response.d_force_d_z / response.d_rate_d_z;

@@ -11,20 +11,20 @@ use crate::state::{Output, State};
 use crate::tables::{ForceLaw, Tables};
 use paths::FurtherOutputs;
 
-/// All partial derivatives of force and state rates at one instant.
+/// All partial derivatives of the force and the state derivatives (rates) at one instant, in SI units.
 ///
 /// The states are, in this order: displacement of the internal mass, its velocity, and the internal states. The inputs
-/// are displacement and velocity.
+/// are displacement and velocity of the moving end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Partials {
-    /// dF/d(input).
+    /// Derivatives of the force with respect to displacement, N/m, and velocity, N s/m, of the moving end.
     pub d_force_d_input: [f64; 2],
-    /// dF/d(state).
+    /// Derivatives of the force with respect to the states, N per unit of the state.
     pub d_force_d_state: [f64; 10],
-    /// d(rate of state i)/d(input).
+    /// Derivatives of the rate of state i (row) with respect to displacement and velocity of the moving end.
     pub d_rate_d_input: [[f64; 2]; 10],
-    /// d(rate of state i)/d(state j).
+    /// Derivatives of the rate of state i (row) with respect to state j (column).
     pub d_rate_d_state: [[f64; 10]; 10],
 }
 
@@ -58,12 +58,12 @@ fn displacement(state: &State, input: &Input) -> f64 {
     input.displacement.unwrap_or(state.displacement)
 }
 
-/// Computes the force at a state, with its derivatives with respect to the input at constant state.
+/// Computes the output at a state: the force, with its derivatives with respect to the input at constant state.
 pub fn force(model: &Model, state: &State, input: &Input) -> Output {
     force_of(model, state, input)
 }
 
-/// Computes the force at an instant, of a model whose tables may be borrowed.
+/// Computes the output of [`force`] for a model whose tables may be borrowed.
 pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Output {
     if !model.has_laid_out(state) {
         return force_of(model, &model.converted(state), input);
@@ -71,7 +71,7 @@ pub(crate) fn force_of(model: &Model<impl Tables>, state: &State, input: &Input)
     force_with(model, state, input, FurtherOutputs::Nothing)
 }
 
-/// Computes the force of a state in this model's layout. `further` selects the other outputs of the evaluation.
+/// Computes the output for a state in this model's layout. `further` selects the results besides the output.
 fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Output {
     let e = &model.elements;
     let (x, v) = (displacement(state, input), input.velocity);
@@ -142,7 +142,7 @@ pub fn evaluate(model: &Model, state: &State, input: &Input) -> (Output, State) 
     evaluate_of(model, state, input)
 }
 
-/// Computes force and state derivatives at an instant, of a model whose tables may be borrowed.
+/// Computes the results of [`evaluate`] for a model whose tables may be borrowed.
 pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Input) -> (Output, State) {
     if !model.has_laid_out(state) {
         return evaluate_of(model, &model.converted(state), input);
@@ -169,12 +169,12 @@ pub(crate) fn evaluate_of(model: &Model<impl Tables>, state: &State, input: &Inp
     (output, rate)
 }
 
-/// Computes all partial derivatives at a state.
+/// Computes all partial derivatives of force and state derivatives at a state.
 pub fn partials(model: &Model, state: &State, input: &Input) -> Partials {
     partials_of(model, state, input)
 }
 
-/// Computes the partial derivatives at an instant, of a model whose tables may be borrowed.
+/// Computes the results of [`partials`] for a model whose tables may be borrowed.
 pub(crate) fn partials_of(model: &Model<impl Tables>, state: &State, input: &Input) -> Partials {
     if !model.has_laid_out(state) {
         return partials_of(model, &model.converted(state), input);

@@ -1,12 +1,12 @@
 //! Errors in a parameter set: the parameter at fault and the reason.
 
-/// Index for "no single parameter".
+/// Value of [`Fault::parameter`] if no single parameter is at fault.
 pub const NO_PARAMETER: u16 = u16::MAX;
 
 /// An error in a parameter set.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Fault {
-    /// Index into the parameter table, or [`NO_PARAMETER`].
+    /// Index of the parameter at fault in the parameter table, or [`NO_PARAMETER`].
     pub parameter: u16,
     /// Reason of the error.
     pub reason: Reason,
@@ -19,27 +19,27 @@ pub enum Reason {
     UnknownName,
     /// The number is NaN or infinite.
     NotFinite,
-    /// The number is outside the bounds of the table.
+    /// The number is outside the bounds of the parameter table, or of an entry of the setting.
     OutOfBounds,
     /// The number is not one of the choices.
     NotAChoice,
     /// The value is a list instead of one number, or one number instead of a list.
     WrongShape,
-    /// The list has too few or too many points.
+    /// The list has too few or too many points, or the name or unit of a setting is too long.
     PointCount,
-    /// The two lists of a curve have different lengths.
+    /// The lists of a curve's abscissae and ordinates have different lengths.
     CurveLengths,
-    /// The abscissae of a curve do not increase.
+    /// The abscissae (velocities or displacements) of a curve do not increase.
     NotIncreasing,
-    /// The ordinates of a curve decrease somewhere, so the damper would drive a motion that it should resist.
+    /// The ordinates (forces) of a curve decrease somewhere, so the damper would drive a motion that it should resist.
     ForceDecreases,
-    /// Two points of a curve are closer than 1e-6 m/s or m.
+    /// Two points of a curve are closer to each other than 1e-6 m/s or m.
     TooClose,
     /// A curve rises by more than 1e8 N s/m or N/m between two points.
     TooSteep,
     /// The number is far too large or too small in proportion to the other numbers of the damper.
     OutOfProportion,
-    /// A limit must exceed another limit, but does not.
+    /// A limit must exceed another limit, but does not: the second knee of the FV curve, or the upper speed of a lag.
     Order,
     /// The springs on the internal mass are stiffer than the series spring that drives the mass.
     SofterThanInner,
@@ -49,7 +49,7 @@ pub enum Reason {
     NeedsSeries,
     /// The grid of a setting is invalid.
     SettingGrid,
-    /// The number of values for the settings differs from the size of the grid.
+    /// The number of values given over a setting differs from the number of grid values.
     SettingCount,
     /// The parameter cannot depend on the setting.
     SettingFixed,

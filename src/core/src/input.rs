@@ -6,8 +6,8 @@ use crate::math::pair;
 /// Input at one instant.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Input {
-    /// Damper displacement, m, extension positive. `None` if the host knows only the velocity. The kernel then
-    /// integrates the velocity from the initial position.
+    /// Damper displacement, m, extension positive. `None` if the host knows only the velocity. The step then integrates
+    /// the velocity from the initial position.
     pub displacement: Option<f64>,
     /// Damper velocity, m/s, extension positive.
     pub velocity: f64,
@@ -31,7 +31,7 @@ impl Input {
     /// Returns whether every number is finite.
     #[inline(always)]
     pub fn is_finite(&self) -> bool {
-        // 0·x is 0 for every finite x and NaN for all others.
+        // 0·x is 0 for every finite x and NaN for all others, so one comparison suffices for the sum.
         let x = self.displacement.unwrap_or(0.0);
         (x + self.velocity + self.side_force + self.temperature) * 0.0 == 0.0
     }
@@ -51,22 +51,23 @@ pub struct Path {
     is_integrated: bool,
 }
 
-/// A point of a [`Path`], with its derivatives with respect to displacement and velocity at the end of the step.
+/// A point of a [`Path`], with its derivatives with respect to displacement x1 and velocity v1 at the end of the step.
 #[derive(Clone, Copy, Debug)]
 pub struct PathPoint {
     /// Displacement, m.
     pub x: f64,
     /// Velocity, m/s.
     pub v: f64,
-    /// ∂x/∂(x1, v1).
+    /// Derivatives of x with respect to displacement x1 and velocity v1 at the end of the step, [-, s].
     pub x_by_end: [f64; 2],
-    /// ∂v/∂(x1, v1).
+    /// Derivatives of v with respect to displacement x1 and velocity v1 at the end of the step, [1/s, -].
     pub v_by_end: [f64; 2],
     is_end: bool,
 }
 
 impl PathPoint {
-    /// Computes the derivatives of `k x + c v` with respect to displacement and velocity at the end of the step.
+    /// Computes the derivatives of `k x + c v` at this point with respect to displacement and velocity at the end of
+    /// the step.
     #[inline(always)]
     pub fn drive_by_end(&self, k: f64, c: f64) -> [f64; 2] {
         if self.is_end { [k, c] } else { pair(|i| k * self.x_by_end[i] + c * self.v_by_end[i]) }
@@ -74,9 +75,10 @@ impl PathPoint {
 }
 
 impl Path {
-    /// Makes the path from (`x0`, `v0`) to the input.
+    /// Makes the path from displacement `x0`, m, and velocity `v0`, m/s, to the input `to` after the time `dt`, s.
     ///
-    /// A missing displacement is the integral of a linear velocity from `v0` to `v1`.
+    /// A missing displacement of the input is the integral of a velocity that changes linearly from `v0` to that of the
+    /// input.
     #[inline(always)]
     pub fn new(x0: f64, v0: f64, to: &Input, dt: f64) -> Path {
         let v1 = to.velocity;
@@ -100,31 +102,32 @@ impl Path {
         self.is_integrated
     }
 
-    /// Returns displacement and velocity at the end.
+    /// Returns displacement, m, and velocity, m/s, at the end of the step.
     #[inline(always)]
     pub fn end(&self) -> (f64, f64) {
         (self.x1, self.v1)
     }
 
-    /// Returns displacement and velocity at the start.
+    /// Returns displacement, m, and velocity, m/s, at the start of the step.
     #[inline(always)]
     pub fn start(&self) -> (f64, f64) {
         (self.x0, self.v0)
     }
 
-    /// Returns the motion to the given end. Displacement and velocity at the end may carry derivatives.
+    /// Returns the motion of the step with the displacement `x1`, m, and velocity `v1`, m/s, at its end, which may
+    /// carry derivatives.
     #[inline(always)]
     pub fn travel<R: Real>(&self, x1: R, v1: R) -> Travel<R> {
         Travel { x0: self.x0, moved: x1.plus(-self.x0), v0: R::constant(self.v0), v1, time: self.dt }
     }
 
-    /// Returns the point at fraction `theta` of the step.
+    /// Returns the point of the path at the fraction `theta` of the step, from 0 to 1.
     #[inline(always)]
     pub fn point(&self, theta: f64) -> PathPoint {
         let t2 = theta * theta;
         let t3 = t2 * theta;
         let per_dt = 1.0 / self.dt;
-        // x(θ) = x0 + θ (p1 + θ (p2 + θ p3))
+        // The displacement over the fraction θ of the step is x(θ) = x0 + θ (p1 + θ (p2 + θ p3)).
         let (dx, p1, q1) = (self.x1 - self.x0, self.dt * self.v0, self.dt * self.v1);
         let (p2, p3) = (3.0 * dx - 2.0 * p1 - q1, p1 + q1 - 2.0 * dx);
         PathPoint {
@@ -136,18 +139,19 @@ impl Path {
         }
     }
 
-    /// Returns the last point, without rounding errors.
+    /// Returns the point at the end of the step, without rounding errors.
     #[inline(always)]
     pub fn last(&self) -> PathPoint {
         PathPoint { x: self.x1, v: self.v1, x_by_end: [1.0, 0.0], v_by_end: [0.0, 1.0], is_end: true }
     }
 }
 
-/// Motion of one end over a time, a cubic like [`Path`]. Its numbers may carry derivatives.
+/// Motion of the moving end or of the internal mass over a time, a cubic like [`Path`]. Its numbers may carry
+/// derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Travel<R> {
     x0: f64,
-    /// Displacement at the end minus that at the start, m.
+    /// Stroke: displacement at the end minus that at the start, m.
     pub moved: R,
     /// Velocity at the start, m/s.
     pub v0: R,
@@ -158,22 +162,23 @@ pub struct Travel<R> {
 }
 
 impl<R: Real> Travel<R> {
-    /// Makes a motion at constant acceleration from displacement `x0` and velocity `v0` to displacement `x1`.
+    /// Makes a motion at constant acceleration from displacement `x0`, m, and velocity `v0`, m/s, to displacement `x1`
+    /// in `time`, s.
     #[inline(always)]
     pub fn accelerated(x0: R, v0: R, x1: R, time: f64) -> Travel<R> {
         let moved = x1 - x0;
         Travel { x0: x0.value(), moved, v0, v1: moved * (2.0 / time) - v0, time }
     }
 
-    /// Returns the velocity as p_0 + p_1 θ + p_2 θ² over the fraction θ of the time.
+    /// Returns the coefficients, m/s, of the velocity p_0 + p_1 θ + p_2 θ² over the fraction θ of the time.
     #[inline(always)]
     pub fn velocity(&self) -> [R; 3] {
         let (mean, v0, v1) = (self.moved * (1.0 / self.time), self.v0, self.v1);
         [v0, mean * 6.0 - v0 * 4.0 - v1 * 2.0, (v0 + v1) * 3.0 - mean * 6.0]
     }
 
-    /// Returns the displacement at fraction `theta`, without the derivatives of the start. `velocity` is the result of
-    /// [`Travel::velocity`].
+    /// Returns the displacement, m, at the fraction `theta` of the time, without the derivatives of the displacement at
+    /// the start. `velocity` is the result of [`Travel::velocity`].
     #[inline(always)]
     pub fn place(&self, velocity: &[R; 3], theta: R) -> R {
         let [p0, p1, p2] = *velocity;

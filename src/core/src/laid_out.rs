@@ -13,7 +13,7 @@ impl<T: Tables> Model<T> {
         state.layout == self.layout
     }
 
-    /// Converts a state to the layout of this model: see [`Model::laid_out`].
+    /// Converts a state to the layout of this model, as [`Model::laid_out`] does.
     #[cold]
     #[inline(never)]
     pub(crate) fn converted(&self, state: &State) -> State {

@@ -10,16 +10,16 @@ use crate::state::MAX_INTERNAL;
 /// Bit that every layout contains, to detect uninitialized numbers. It is higher than the bits of all kinds of states,
 /// and a double represents it exactly.
 pub(crate) const MARK: u64 = 1 << 40;
-/// Number of kinds of internal states in the force path. Some states have several kinds, because their quantity depends
-/// on the form of their element.
+/// Number of kinds of internal states in the force path. A state whose quantity depends on the form of its element has
+/// one kind for each quantity.
 const IN_PATHS: u32 = 11;
 
-/// Bit of the actuator's lag state in the layout of a family, above the bits of all elements.
+/// Bit of the lag state of a setting's actuator in the layout of a family, above the bits of all elements.
 pub(crate) const LAG: u64 = 1 << 30;
-/// Bit of the actuator's hysteresis state in the layout of a family.
+/// Bit of the hysteresis state of a setting's actuator in the layout of a family.
 pub(crate) const HYSTERESIS: u64 = 1 << 31;
 
-/// Adds the states of an actuator to a layout.
+/// Adds the states of an actuator to a layout: of its `lag`, and of its `hysteresis`.
 pub(crate) fn with_actuator(layout: f64, lag: bool, hysteresis: bool) -> f64 {
     let own = if lag { LAG } else { 0 } | if hysteresis { HYSTERESIS } else { 0 };
     (layout as u64 | own) as f64
@@ -48,13 +48,14 @@ pub(crate) fn of(e: &Elements) -> f64 {
     (MARK | e.memory_bits() << IN_PATHS | in_paths) as f64
 }
 
-/// Returns the bits of a state's layout; `None` if it is not a layout.
+/// Returns the bits of the layout number of a state; `None` if the number is not a layout.
 pub(crate) fn bits(layout: f64) -> Option<u64> {
     let bits = layout as u64;
     (bits & MARK != 0 && bits < 2 * MARK && bits as f64 == layout).then_some(bits)
 }
 
-/// Returns the index of a kind of state among the internal states, if the layout contains it.
+/// Returns the index of a kind of state among the internal states. `None` if the layout does not contain the kind, or
+/// if the index is beyond the internal states.
 pub(crate) fn slot(bits: u64, kind: u32) -> Option<usize> {
     let (own, below) = (1 << kind, (1 << kind) - 1);
     let slot = (bits & below).count_ones() as usize;

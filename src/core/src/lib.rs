@@ -12,11 +12,13 @@
 //! F = F_s + F_friction(v_in) + F_gas                     [`elements`: the rest]
 //! ```
 //!
-//! x_in and v_in are displacement and velocity of the moving end. The internal mass m has displacement x_m and velocity
-//! v_m. Free play and bushing in the series compliance extend F_s. Oil, air, voids and valves before the FV curve
-//! extend F_d: see [`paths`]. The compliance of an eye or a mount carries the whole force. The parameter `series_load`
-//! selects this case: friction and gas act on the mass, at x_m and v_m. F is then F_s plus the forces of the moving
-//! mass, the lagged polynomial and the stops.
+//! x_in, m, and v_in, m/s, are displacement and velocity of the moving end, which starts at x_0. The internal mass m,
+//! kg, has displacement x_m and velocity v_m. F is the damper force, and F_s the force of the series spring k_s and
+//! damper c_s. F_p is the force of the parallel spring, and F_d that of the force–velocity (FV) curve, all in N. Free
+//! play and bushing in the series compliance extend F_s. Oil, air, voids and valves before the FV curve extend F_d: see
+//! [`paths`]. The compliance of an eye or a mount carries the whole damper force. The parameter `series_load` selects
+//! this case: friction and gas act on the mass, at x_m and v_m. F is then F_s plus the forces of the moving mass, the
+//! lagged polynomial and the stops.
 //!
 //! The host is the simulation program that calls the damper. [`evaluate()`] returns force and state derivatives at one
 //! instant; [`step()`] advances by one step of the host.

@@ -1,10 +1,10 @@
 //! List of the elements of the model. Each element is one physical effect.
 //!
 //! A new effect is a new file with its equation, parameters, states and partial derivatives in `elements/`, and one
-//! line here. The block of the line defines the position of the effect in the model:
+//! line in this file. The block of the line defines the position of the effect in the model:
 //!
 //! - `inner`: on the internal mass, driven by its displacement and velocity (inside the series compliance);
-//! - `friction` and `preload`: parallel to the whole damper, driven by the input motion;
+//! - `friction` and `preload`: parallel to the whole damper, driven by the motion of the moving end;
 //! - `stateful`: parallel to the whole damper, with one internal state;
 //! - `stops`: parallel to the whole damper, at the ends of its stroke.
 //!
@@ -18,7 +18,7 @@
 //! this way [`crate::parameter::groups`] makes the groups of the table, and [`crate::assembly`] the prepared set of the
 //! model.
 
-/// Calls the macro `then!` with the list.
+/// Calls the macro `then!` with the list of elements.
 macro_rules! each_element {
     ($then:ident) => {
         $crate::paths::list::each_path_element! {

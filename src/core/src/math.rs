@@ -1,5 +1,5 @@
-//! Elementary functions with the same digits on every platform. `exp`, `tanh` and `ln` have a fixed cost, because they
-//! contain no branch.
+//! Elementary functions whose results have the same digits on every platform. `exp`, `tanh` and `ln` have a fixed cost,
+//! because they contain no branch.
 //!
 //! The relative error of `exp` is a few units in the last place, and grows with |x|: see [`exp_below_bound`]. `tanh`
 //! has a small absolute error, about 1e-15. A small relative error is not needed, because `tanh` multiplies a friction
@@ -55,8 +55,8 @@ pub fn exp(x: f64) -> f64 {
 
 /// Computes e^x for x ≤ 700: x log2(e) = n + (j + f)/32, e^x = 2^n 2^(j/32) 2^(f/32) with |f| ≤ 1/2.
 ///
-/// Because of rounding in the product, the relative error grows as 1e-16 |x|. This is harmless for negative x, because
-/// the absolute error from this rounding stays below 1e-16.
+/// Because of rounding in the product x log2(e), the relative error grows as 1e-16 |x|. This is harmless for negative
+/// x, because the absolute error from this rounding stays below 1e-16.
 #[inline(always)]
 pub fn exp_below_bound(x: f64) -> f64 {
     const PER_LN2: f64 = 32.0 * core::f64::consts::LOG2_E;
@@ -73,7 +73,7 @@ pub fn exp_below_bound(x: f64) -> f64 {
     let shifted = scaled + ROUND;
     let f = scaled - (shifted - ROUND);
     let bits = shifted.to_bits();
-    // The factor 2^n is added to the exponent of 2^(j/32).
+    // The product with 2^n adds n to the binary exponent of 2^(j/32).
     let j = bits & 31;
     let scale = f64::from_bits(ROOTS[j as usize].to_bits().wrapping_add(bits.wrapping_sub(j) << 47));
     scale + scale * (f * (LN2 + f * (C2 + f * (C3 + f * (C4 + f * C5)))))
@@ -86,13 +86,13 @@ pub fn tanh(x: f64) -> f64 {
     ((1.0 - t) / (1.0 + t)).copysign(x)
 }
 
-/// Returns the larger of two numbers in one instruction; `f64::max` needs more, because it handles NaN.
+/// Returns the larger of two numbers in one instruction; `f64::max` needs more instructions, because it handles NaN.
 #[inline(always)]
 pub fn max(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
 }
 
-/// Returns the smaller of two numbers in one instruction.
+/// Returns the smaller of two numbers in one instruction, without handling NaN.
 #[inline(always)]
 pub fn min(a: f64, b: f64) -> f64 {
     if a < b { a } else { b }
@@ -111,7 +111,8 @@ pub fn pair(f: impl Fn(usize) -> f64) -> [f64; 2] {
 /// integral.
 #[inline(always)]
 pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
-    // Largest r for which the series is used: the recurrence would lose more digits than the truncation of the series.
+    // Largest r for which the series is used. Up to this r, the recurrence of the other branch loses more digits than
+    // the truncation of the series.
     const SMALL: f64 = 0.5;
     if r > SMALL {
         let kept = exp_below_bound(-r);
@@ -120,7 +121,8 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         let third = 1.0 - 2.0 * second / r;
         return (kept, [first, second, third, 1.0 - 3.0 * third / r]);
     }
-    // r/4 (1 − r/5 (1 − r/6 (1 − …))); the truncation error is below 0.5^13 · 3!/16!.
+    // The fourth moment is r/4 (1 − r/5 (1 − r/6 (1 − …))), here with twelve factors; the truncation error is below
+    // 0.5^13 · 3!/16!.
     const PER: [f64; 12] = {
         let mut per = [0.0; 12];
         let mut i = 0;
@@ -130,8 +132,8 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         }
         per
     };
-    // Largest r for which the last five factors suffice. Their truncation error, 1e-3^5 · 3!/8!, is below rounding (up
-    // to r = 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
+    // Largest r for which the last five factors suffice. Their relative truncation error, r^6 · 4!/10!, is far below
+    // rounding (also up to r = 4e-3). Gas with a thermal time of a second is in this range at steps of a millisecond.
     const FEW: f64 = 1e-3;
     let (late, early) = PER.split_at(7);
     let mut sum = 1.0;
@@ -144,7 +146,7 @@ pub fn relaxation(r: f64) -> (f64, [f64; 4]) {
         sum = 1.0 - r * per * sum;
     }
     let fourth = 0.25 * r * sum;
-    // In the direction of decreasing k, the recurrence loses no digits.
+    // From the fourth moment down to the first, the recurrence loses no digits.
     let third = r * (1.0 - fourth) * (1.0 / 3.0);
     let second = r * (1.0 - third) * 0.5;
     let first = r * (1.0 - second);
@@ -163,7 +165,7 @@ pub fn ln(x: f64) -> f64 {
     let m = f64::from_bits((up & MANTISSA).wrapping_add(ROOT_HALF));
     let s = (m - 1.0) / (m + 1.0);
     let q = s * s;
-    // 1/3, 1/5, ...: |s| < 0.172, so the next term is below 2e-17.
+    // Coefficients 1/3, 1/5, ... of the series of artanh: |s| < 0.172, so the next term is below 2e-17.
     let low = 1.0 / 3.0 + q * (1.0 / 5.0 + q * (1.0 / 7.0 + q * (1.0 / 9.0)));
     let high = 1.0 / 11.0 + q * (1.0 / 13.0 + q * (1.0 / 15.0 + q * (1.0 / 17.0 + q * (1.0 / 19.0))));
     let square = q * q;
@@ -177,7 +179,7 @@ pub fn power(r: f64, p: f64) -> f64 {
     power_inlined(r, p)
 }
 
-/// Computes [`power`], always inlined.
+/// Computes r^p as [`power`] does, always inlined.
 #[inline(always)]
 pub fn power_inlined(r: f64, p: f64) -> f64 {
     if r < f64::MIN_POSITIVE {
@@ -233,7 +235,7 @@ mod tests {
         for r in [0.0, 1e-12, 1e-3, 0.1, 0.499, 0.501, 1.0, 5.0, 700.0, 1e9] {
             let (kept, [first, second, third, fourth]) = relaxation(r);
             assert!((kept + first - 1.0).abs() < 1e-14, "{r}");
-            // Integrate by Simpson's rule over many parts.
+            // The moments are compared with their integrals by Simpson's rule over many parts.
             for (k, moment) in [(1, second), (2, third), (3, fourth)] {
                 if r < 20.0 {
                     let n = 2000;

@@ -9,10 +9,11 @@ use crate::tables::{ForceLaw, Owned, Tables};
 
 use crate::{element, number};
 
-/// Displacement magnitude, m, up to which the springs on the internal mass must not be stiffer than the series spring.
+/// Largest displacement from zero, m, up to which the springs on the internal mass must not be stiffer than the series
+/// spring.
 const STROKE: f64 = 0.1;
-/// Number of positions on each side of 0 at which [`Model::check`] compares the springs' derivative with the series
-/// stiffness: one every half millimeter.
+/// Number of displacements on each side of 0, half a millimeter apart, at which [`Model::check`] compares stiffnesses.
+/// They are those of the springs on the mass and of the series spring.
 const PLACES: i32 = 200;
 
 /// Units of the internal states of parallel elements. The state of an element that is not listed has the unit "-".
@@ -25,7 +26,7 @@ const MEMORY_UNITS: [(Element, &str); 3] =
 pub struct Model<T: Tables = Owned> {
     pub(crate) elements: Elements<T>,
     pub(crate) integration: Integration,
-    /// Layout of the states: the set of internal states that a state contains.
+    /// Layout of the model's states: the set of internal states that a state contains ([`crate::layout`]).
     pub(crate) layout: f64,
 }
 
@@ -51,8 +52,8 @@ impl Model {
         params.check()?;
         Elements::check(params)?;
         crate::proportion::check(params)?;
-        // A step uses the tangent of the springs on the mass at the predicted position. This is stable only if the
-        // series spring determines the position of the mass, not the springs on the mass.
+        // A step uses the tangent of the springs on the internal mass at the predicted position. This is stable only if
+        // the series spring determines the position of the mass, not the springs on the mass.
         let places = (-PLACES..=PLACES).map(|place| STROKE * f64::from(place) / f64::from(PLACES));
         let too_stiff = |stiffness: f64| Elements::steepest_inner(params, places).map(|steepest| steepest > stiffness);
         let stiffness = number!("series_stiffness");
@@ -139,7 +140,7 @@ mod tests {
     use crate::list;
     use crate::parameter::Number;
 
-    /// The numbers of states counted before and after preparation agree for any set of elements.
+    /// The numbers of states counted from the parameters and from the prepared model agree for any set of elements.
     #[test]
     fn states_are_counted_alike_before_and_after() {
         let all: std::vec::Vec<_> = Element::all().collect();
@@ -184,7 +185,7 @@ mod tests {
         assert_eq!(std::format!("{model:?}"), before);
     }
 
-    /// The check covers the derivative of the springs on the mass on both sides of zero, over the whole stroke.
+    /// The check covers the stiffness of the springs on the mass on both sides of zero, over the whole stroke.
     #[test]
     fn a_series_spring_softer_than_what_it_drives_is_refused() {
         let fault = |changes: &[(Number, f64)], lookup: Option<(&[f64], &[f64])>| {
@@ -207,7 +208,7 @@ mod tests {
         assert_eq!(fault(&[k, (number!("spring_linear"), 0.99e5)], None), None);
         assert_eq!(fault(&[k, (number!("spring_linear"), 1e5)], None), None);
         assert_eq!(fault(&[k, (number!("spring_linear"), 1.01e5)], None), softer);
-        // The derivative is 2 k |x|, at 0.1 m.
+        // The stiffness of the quadratic spring is 2 k |x|, largest at 0.1 m.
         assert_eq!(fault(&[k, (number!("spring_quadratic"), 4.9e5)], None), None);
         assert_eq!(fault(&[k, (number!("spring_quadratic"), 5.1e5)], None), softer);
         // The spring is steep on one side only.

@@ -9,8 +9,8 @@
 //! fv_interpolation = "monotone_cubic"
 //! ```
 //!
-//! A damper that depends on a setting names its grid. Its parameters and the forces of the FV table then have one value
-//! for each setting of the grid ([`crate::family`]):
+//! The file of a damper that depends on a setting, such as a current, names the grid of settings. A parameter may then
+//! have one value for each setting of the grid, and so may the forces of the FV table ([`crate::family`]):
 //!
 //! ```toml
 //! setting = [0.0, 0.8, 1.6]
@@ -26,8 +26,8 @@
 //! damper.
 //!
 //! All files that dashpot writes announce the first table in a comment (`# The lines up to [end] are the damper`). If
-//! such a file ends before the table, it is truncated. This is an error, because missing parameters would silently have
-//! their defaults.
+//! such a file ends before the table, it is truncated. A truncated file is an error, because missing parameters would
+//! silently have their defaults.
 
 use crate::family::Axis;
 use crate::family::axis::{ENTRIES, can_vary, check_entry, check_grid, check_text, check_values, index_of};
@@ -43,9 +43,9 @@ pub const FORMAT: f64 = 1.0;
 /// Error of reading a model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ReadError {
-    /// Line, from 1.
+    /// Number of the line, from 1.
     pub line: u32,
-    /// Index in the table of the parameter named in that line, or [`NO_PARAMETER`].
+    /// Index in the parameter table of the parameter that the line names, or [`NO_PARAMETER`].
     pub parameter: u16,
     /// Error in that line.
     pub problem: Problem,
@@ -58,7 +58,7 @@ pub enum Problem {
     Syntax,
     /// A value is invalid: it must be a number, a word in quotes, or a list of numbers or words.
     Value,
-    /// The key appears twice.
+    /// A key, or an element in `elements`, appears twice.
     Repeated,
     /// `format` is missing or has a number that this library cannot read.
     Format,
@@ -70,11 +70,11 @@ pub enum Problem {
     TooLong,
     /// The file ends before the table that its comment announces.
     CutOff,
-    /// A table has the name of an element.
+    /// A table has the name of an element, or of the integration's settings.
     ElementTable,
-    /// The parameter table rejects the value.
+    /// The name is unknown, or the parameter table rejects the value.
     Parameter(Fault),
-    /// A number of the setting is invalid.
+    /// An entry of the setting is invalid: its grid, a number, its name or its unit.
     Setting(Reason),
     /// The damper depends on a setting, but the caller needs an ordinary damper.
     Family,
@@ -113,7 +113,7 @@ impl Problem {
 /// Error for a name that is not in the parameter table.
 const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
 
-/// Beginning of the comment that announces the table after the damper.
+/// Beginning of the comment that announces the table after the lines of the damper.
 pub const ANNOUNCES: &str = "# The lines up to [";
 
 /// Largest number of values in one list. The text of [`Problem::TooLong`] also contains this number.
@@ -168,8 +168,8 @@ pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result
     Ok(())
 }
 
-/// Finds the grid in a text. Returns its values, their number, and its line. The line is `None` if the text names no
-/// setting.
+/// Finds the grid of the setting in a text. Returns its values, their number, and its line. The line is `None` if the
+/// text names no setting, or if another line before it is not `name = value`.
 fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadError> {
     let mut reader = Reader { rest: text, line: 1, announced: false };
     if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
@@ -179,7 +179,7 @@ fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadErr
     loop {
         reader.blank(true);
         let line = reader.line;
-        // The full reading reports a line with a syntax error.
+        // The full reading of the text reports a line with a syntax error.
         let Some(name) = reader.name() else { return Ok((grid, 0, None)) };
         reader.blank(false);
         if !reader.take(b'=') {
@@ -311,9 +311,10 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
     Ok(())
 }
 
-/// Returns the name at fault in the file, if the error is about a name.
+/// Returns the name at fault in the text of a file, or `None` if the error is not about a name.
 ///
-/// This is the name of an unknown parameter or element, of an element named twice, or of a line about the setting.
+/// The result is the name of an unknown parameter or element, of an element that is listed twice, or of an entry of the
+/// setting.
 ///
 /// The search uses bytes, because the text searches of the standard library can panic.
 pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
@@ -336,7 +337,7 @@ pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
     Some(found.strip_prefix(b"\xef\xbb\xbf").unwrap_or(found))
 }
 
-/// Returns the start and the end of a line, counted from 1.
+/// Returns the byte indices of start and end of a line, whose number counts from 1.
 fn line_at(text: &[u8], line: u32) -> Option<(usize, usize)> {
     let mut number = 1;
     let mut from = 0;
@@ -351,7 +352,8 @@ fn line_at(text: &[u8], line: u32) -> Option<(usize, usize)> {
     (number == line).then_some((from, text.len()))
 }
 
-/// Calls `visit` with the words in quotes, except in comments, until it returns true; returns that word.
+/// Calls `visit` with the words in quotes, except in comments, until `visit` returns true; returns that word, or
+/// `None`.
 fn find_word<'a>(text: &'a [u8], mut visit: impl FnMut(&'a [u8]) -> bool) -> Option<&'a [u8]> {
     let (mut begins, mut is_remark) = (None, false);
     for (at, byte) in text.iter().enumerate() {
@@ -373,7 +375,7 @@ fn find_word<'a>(text: &'a [u8], mut visit: impl FnMut(&'a [u8]) -> bool) -> Opt
     None
 }
 
-/// Counts how often a word appears in quotes.
+/// Counts how often the word `wanted` appears in quotes, outside comments.
 fn count_words(text: &[u8], wanted: &[u8]) -> usize {
     let mut count = 0;
     let _ = find_word(text, |word| {
@@ -395,13 +397,14 @@ struct Reader<'a> {
     announced: bool,
 }
 
-/// Returns whether a row is the list that may depend on a setting.
+/// Returns whether a row is the one list that may depend on a setting: the forces of the FV table.
 fn can_vary_list(row: Row) -> bool {
     List::try_from(row).is_ok_and(can_vary)
 }
 
 impl<'a> Reader<'a> {
-    /// Returns whether the next value has one entry for each setting of the grid.
+    /// Returns whether the next value is given over the settings. It is then a list for a number or a choice, and a
+    /// list of lists for a list. The number of entries is not checked.
     fn is_over_setting(&self, row: Row) -> bool {
         let mut ahead = Reader { ..*self };
         if !ahead.take(b'[') {
@@ -414,7 +417,8 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads one entry of the setting: a number, the name or the unit.
+    /// Reads the value of one entry of the setting: a number, the name or the unit. `index` counts the [`ENTRIES`],
+    /// then the grid, the name and the unit.
     fn setting(&mut self, index: usize, axis: Option<&mut Axis>) -> Result<(), ReadError> {
         let line = self.line;
         let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
@@ -502,7 +506,8 @@ impl<'a> Reader<'a> {
             }
             points = count;
             if index == 0 {
-                // These forces apply until the axis has the forces at all settings.
+                // The forces at the first setting are those of the parameter set until the axis has the forces at all
+                // settings.
                 read.set_list(list, forces).map_err(of_table).map_err(of_line)?;
             }
             if let Some(axis) = axis.as_deref_mut() {
@@ -546,7 +551,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// Reads the value of a row of the table.
+    /// Reads the value of a row of the parameter table.
     fn parameter(&mut self, row: Row, read: &mut Params) -> Result<(), ReadError> {
         let line = self.line;
         let at = |problem| ReadError { line, parameter: row.index as u16, problem };
@@ -637,7 +642,7 @@ impl<'a> Reader<'a> {
             self.blank(true);
             let line = self.line;
             let is_heading = self.take(b'[');
-            // The heading of an array of tables has two brackets.
+            // The heading of an array of tables in TOML has two brackets.
             self.take(b'[');
             self.blank(false);
             if is_heading
@@ -731,7 +736,7 @@ mod tests {
         assert_eq!(axis.forces(2), Some(&[-1900.0, 0.0, 3300.0][..]));
         let actuator = axis.actuator();
         assert_eq!((actuator.time, actuator.hysteresis), ([0.008, 0.0], 0.05));
-        // The parameters have their values at the start setting.
+        // The parameter set has the values at the start setting, 0.8 A.
         assert_eq!(params.number(number!("gas_force")), 82.5);
         assert_eq!(params.list(list!("fv_force")), [-1500.0, 0.0, 2500.0]);
         crate::family::Family::check(&params, &axis).unwrap();
@@ -741,7 +746,7 @@ mod tests {
         assert_eq!((error.line, error.problem), (9, Problem::Family));
         assert_eq!(name_at(OVER_CURRENT.as_bytes(), &error), Some(&b"setting"[..]));
         assert_eq!(plain, Params::new());
-        // After reading an ordinary damper, the axis is empty.
+        // After reading an ordinary damper, the axis has no grid and no values.
         read_family(SMALL.as_bytes(), &mut params, &mut axis).unwrap();
         assert!(!axis.is_some() && axis.numbers().is_empty() && !axis.has_forces() && axis.name().is_empty());
         assert_eq!(params.number(number!("gas_force")), 12.5);
@@ -843,7 +848,8 @@ mod tests {
             let error = refused(&format!("{head}{rest}"));
             assert_eq!((error.line, error.problem), (line, Problem::ElementTable), "{rest}");
         }
-        // This error precedes all others, because a file with its elements in tables has no lines above them.
+        // This error precedes the error of a missing `format`, because a file with its elements in tables has no lines
+        // above them.
         assert_eq!(refused("[fv_curve]\n").problem, Problem::ElementTable);
         for rest in ["[fv_curves]\n", "# [fv_curve]\n", "[notes]\nwhy = \"[fv_curve]\"\n"] {
             assert!(read(format!("{head}{rest}").as_bytes(), &mut Params::new()).is_ok(), "{rest}");

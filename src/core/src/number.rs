@@ -7,7 +7,7 @@
 /// Number of 32-bit limbs that hold every intermediate integer: 19 digits times 2^1300.
 const LIMBS: usize = 48;
 /// Largest decimal exponent of a number that is written as an integer times a power of ten. Larger exponents and those
-/// below −600 are rejected, because no damper needs them.
+/// below minus twice this bound are rejected, because no damper needs them.
 const EXPONENT_BOUND: i32 = 300;
 
 /// Reads a decimal number such as `-1.5e3`, `+2`, `1_000.0`; `None` if `text` as a whole is not a number.
@@ -81,7 +81,7 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
     let mut binary = 0i32;
     let mut sticky = false;
     if exponent < 0 {
-        // The left shift is large enough for 64 significant bits after the division.
+        // The left shift is large enough for 64 significant bits after the division by the power of ten.
         binary = exponent.wrapping_neg().wrapping_mul(10) / 3 + 70;
         place(&mut big, mantissa, binary as usize);
         let mut left = exponent.wrapping_neg();
@@ -103,7 +103,8 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
         }
     }
     let limb = |i: usize| u128::from(big.get(i).copied().unwrap_or(0));
-    // The three highest limbs contain at least 65 significant bits. The lower limbs only decide ties.
+    // The three highest 32-bit limbs contain at least 65 significant bits. The lower limbs only decide ties in
+    // rounding.
     let high = limb(top) << 64 | limb(top.wrapping_sub(1)) << 32 | limb(top.wrapping_sub(2));
     for (i, limb) in big.iter().enumerate() {
         sticky |= i + 2 < top && *limb != 0;
@@ -118,14 +119,14 @@ fn scale(mantissa: u64, exponent: i32) -> f64 {
     let half = if drop > 0 { 1u128 << (drop - 1) } else { 1 };
     let above = remainder > half || (remainder == half && (sticky || value & 1 == 1));
     value = value.wrapping_add(u64::from(above && drop > 0));
-    // value · 2^power is exact from here on.
+    // The result value · 2^power is exact: no further rounding occurs.
     let power = drop + 32 * (top as i32 - 2) - binary;
     let two_to = |p: i32| f64::from_bits(((p + 1023).clamp(1, 2046) as u64) << 52);
     let first = power.clamp(-900, 900);
     value as f64 * two_to(first) * two_to(power - first)
 }
 
-/// Sets big = value · 2^shift.
+/// Sets the integer `big` to value · 2^shift.
 fn place(big: &mut [u32; LIMBS], value: u64, shift: usize) {
     let (limb, bit) = (shift / 32, shift % 32);
     let wide = u128::from(value) << bit;
@@ -148,7 +149,7 @@ fn multiply(big: &mut [u32; LIMBS], factor: u32) {
     }
 }
 
-/// Divides in place and returns the remainder; the divisor is 10 or 10^9, never 0.
+/// Divides `big` in place and returns the remainder; the divisor is 10 or 10^9, never 0.
 fn divide(big: &mut [u32; LIMBS], divisor: u32) -> u32 {
     let divisor = u64::from(divisor.max(1));
     let mut remainder = 0u64;
@@ -197,7 +198,8 @@ mod tests {
             if value.is_finite() && value.abs() > 1e-280 && value.abs() < 1e280 {
                 same(&format!("{value:e}"));
             }
-            // Numbers of ordinary magnitude, then integers above 2^53. The integers contain halfway cases.
+            // Numbers of ordinary magnitude, then integers above 2^53. Some of these integers lie halfway between two
+            // doubles.
             same(&format!("{}", (seed >> 10) as f64 * 1e-6));
             same(&format!("{}", seed >> 9));
         }

@@ -1,8 +1,8 @@
 //! The parameter table.
 //!
-//! Every element defines its rows (name, unit, default, bounds, meaning). The table contains the rows of all elements,
-//! in the order of the element list ([`mod@crate::list`]). The C setter, the model file, the bounds of the
-//! identification and the documentation follow from the table.
+//! Every element of the damper model defines its rows (name, unit, default, bounds, meaning). The table contains the
+//! rows of all elements, in the order of the element list ([`mod@crate::list`]). The C setter, the model file, the
+//! bounds of the identification and the documentation follow from the table.
 //!
 //! | module | content |
 //! |---|---|

@@ -5,7 +5,8 @@ use crate::fault::Fault;
 use crate::parameter::Params;
 use crate::tables::OwnedElement;
 
-/// Checks whether an element can be prepared. Not inlined, so that its stack space is freed on return.
+/// Checks whether the element with the group index `place` can be prepared. Not inlined, so that its stack space is
+/// freed on return.
 #[inline(never)]
 pub(crate) fn checked<E: Prepare>(params: &Params, place: usize) -> Result<(), Fault> {
     E::check(&params.view(place))

@@ -1,24 +1,24 @@
 //! Check whether the numbers of a damper are in proportion to each other.
 //!
-//! Multiply all forces, stiffnesses, masses and heats by s, with lengths, speeds and times unchanged. The damper then
-//! moves as before with s times the force, because each term of every equation contains one force. The tests show
-//! stability and passivity of the steps for all values within the bounds of passenger car dampers. Both therefore hold
-//! for dampers of any size whose numbers are in proportion. A parameter set is allowed if one factor s scales every
-//! size-dependent number into the bounds of a car.
+//! Multiply all forces, stiffnesses, masses and heats by a factor s, with lengths, speeds and times unchanged. The
+//! damper then moves as before with s times the force, because each term of every equation is proportional to one
+//! force. The tests show stability and passivity of the steps for all values within the bounds of passenger car
+//! dampers. Both therefore hold for dampers of any size whose numbers are in proportion. A parameter set is allowed if
+//! one factor s scales every size-dependent number into the bounds of a car damper.
 
 use crate::curve::STEEPEST;
 use crate::fault::{Fault, Reason};
 use crate::list;
 use crate::parameter::{Params, table};
 
-/// Checks whether the numbers of a set are in proportion.
+/// Checks whether the numbers of a parameter set are in proportion to each other.
 ///
 /// # Errors
 /// Returns the number that is too large or too small compared with another.
 #[inline(never)]
 pub fn check(params: &Params) -> Result<(), Fault> {
     // `least` is the smallest size at which no number is too large, `most` the largest at which none is too small. A
-    // size is the ratio to a car damper. `too_large` and `too_small` are the rows that determine them.
+    // size is the ratio to a car damper. `too_large` and `too_small` are the rows that determine `least` and `most`.
     let (mut least, mut most) = (0.0f64, f64::INFINITY);
     let (mut too_large, mut too_small) = (None, None);
     for row in table().filter(|row| row.parameter.grows && params.counts(row)) {
@@ -44,11 +44,12 @@ pub fn check(params: &Params) -> Result<(), Fault> {
             }
         }
     }
-    // Rounding must not reject a number on a bound.
+    // The tolerance is for numbers exactly on a bound, which rounding must not reject.
     if least <= most * (1.0 + 1e-9) {
         return Ok(());
     }
-    // The number outside the bounds of a car is at fault. If both are outside, the function reports the large number.
+    // Of the two numbers, the one outside the bounds of a car damper is at fault. If both are outside, the function
+    // reports the large number.
     let at_fault = if least > 1.0 { too_large } else { too_small };
     at_fault.map_or(Ok(()), |row| Err(row.fault(Reason::OutOfProportion)))
 }

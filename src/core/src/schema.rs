@@ -1,6 +1,7 @@
 //! Definition of a parameter, and of each element's description of its parameters.
 //!
-//! This is the lowest layer. It depends neither on the elements nor on the table of all rows ([`crate::parameter`]).
+//! This module is the lowest layer. It depends neither on the elements nor on the table of all parameters
+//! ([`crate::parameter`]).
 
 pub mod kind;
 pub mod own;
@@ -12,9 +13,9 @@ pub use own::{Own, View};
 pub enum Shape {
     /// One number.
     Scalar,
-    /// One of these words; the value is the index of the word.
+    /// One of several words; the value is the index of the word in this list.
     Choice(&'static [&'static str]),
-    /// A list of up to this many numbers.
+    /// A list of numbers; the content is the largest allowed count.
     List(usize),
 }
 
@@ -27,7 +28,7 @@ pub const SIZES: (f64, f64) = (1e-3, 100.0);
 /// One row of the parameter table.
 #[derive(Clone, Copy, Debug)]
 pub struct Parameter {
-    /// Name in model files, in C and in reports.
+    /// Name of the parameter in model files, in C and in reports.
     pub name: &'static str,
     /// SI unit as text; "-" for a pure number.
     pub unit: &'static str,
@@ -40,14 +41,14 @@ pub struct Parameter {
     /// Largest allowed value.
     pub high: f64,
     /// Smallest and largest value in a damper of a passenger car's size. A number with a force in its unit may be
-    /// smaller or larger ([`SIZES`]) if the whole set is in proportion ([`crate::proportion`]).
+    /// smaller or larger ([`SIZES`]) if the whole parameter set is in proportion ([`crate::proportion`]).
     pub of_a_car: (f64, f64),
     /// A choice of the same element, and the words of that choice for which the parameter has an effect. `None` if the
     /// parameter always has an effect.
     pub form: Option<(&'static str, &'static [&'static str])>,
     /// Whether the value must be in proportion to the size of the damper, because its unit contains a force.
     pub grows: bool,
-    /// Meaning in one sentence, for the reader of a report.
+    /// Meaning of the parameter in one sentence, for the reader of a report.
     pub meaning: &'static str,
 }
 
@@ -132,31 +133,32 @@ impl Parameter {
     }
 }
 
-/// Returns whether a unit contains a force, as those of force, stiffness, damping, mass (kg is N s²/m) and heat do.
+/// Returns whether a unit contains a force, as the units of force, stiffness, damping, mass (kg is N s²/m) and heat do.
 pub const fn has_force(unit: &str) -> bool {
     matches!(unit.as_bytes(), [b'N' | b'J' | b'W', ..] | [b'k', b'g', ..])
 }
 
-/// Widens the bounds of a car to dampers of any size, for a number that is proportional to the size.
+/// Widens the bounds for car dampers to dampers of any size ([`SIZES`]), for a number that is proportional to the size.
 const fn of_any_size((low, high): (f64, f64)) -> (f64, f64) {
     (if low > 0.0 { low * SIZES.0 } else { low * SIZES.1 }, high * SIZES.1)
 }
 
-/// Rows that belong together: an element of the model, or a set of settings.
+/// Rows of the parameter table that belong together: those of an element of the model, or the settings of the
+/// integration.
 #[derive(Clone, Copy, Debug)]
 pub struct Group {
     /// Name of the element in model files.
     pub name: &'static str,
-    /// Meaning of the group, for the documentation.
+    /// Meaning of the group in one line, for the documentation.
     pub meaning: &'static str,
-    /// Rows of the group.
+    /// Rows of the parameter table that belong to the group.
     pub parameters: &'static [Parameter],
 }
 
 /// Description of an element for the parameter table.
 pub trait Describe {
-    /// Meaning in one line.
+    /// Meaning of the element in one line.
     const MEANING: &'static str;
-    /// Rows of the element.
+    /// Rows of the parameter table that belong to the element.
     const PARAMETERS: &'static [Parameter];
 }

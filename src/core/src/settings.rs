@@ -1,4 +1,4 @@
-//! The settings of the step as rows of the table, from which [`crate::integration::Integration`] is prepared.
+//! The settings of the step as rows of the parameter table, from which [`crate::integration::Integration`] is prepared.
 
 use crate::schema::{Describe, Parameter};
 

@@ -12,15 +12,16 @@ pub const MAX_INTERNAL: usize = 8;
 pub struct State {
     /// Displacement of the moving end, m (given by the host, or integrated from the initial position).
     pub displacement: f64,
-    /// Velocity of the moving end at the last step, m/s.
+    /// Velocity of the moving end at the end of the last step, m/s.
     pub velocity: f64,
     /// Displacement of the internal mass, m.
     pub mass_displacement: f64,
     /// Velocity of the internal mass, m/s.
     pub mass_velocity: f64,
-    /// Internal states of the elements.
+    /// Internal states of the elements that are on, consecutive from index 0, each in its own unit.
     pub internal: [f64; 8],
-    /// Layout of the internal states: see [`crate::layout`]; 0 if no code has set it.
+    /// Layout of the internal states: a number for the set of elements that have one (see [`crate::layout`]); 0 if not
+    /// set.
     pub layout: f64,
     /// Always 0. With this number, the state has seven pairs of numbers, which processors load pair by pair.
     pub reserved: f64,
@@ -57,12 +58,13 @@ impl State {
 pub struct Output {
     /// Damper force, N, tension positive.
     pub force: f64,
-    /// Derivative of the force with respect to the input's displacement, N/m. After a step, the total derivative of
-    /// that step's force.
+    /// Derivative of the force with respect to the input's displacement, N/m: at constant states for an instant, the
+    /// total derivative for a step.
     pub d_force_d_displacement: f64,
-    /// Derivative of the force with respect to the input's velocity, N s/m.
+    /// Derivative of the force with respect to the input's velocity, N s/m: at constant states for an instant, the
+    /// total derivative for a step.
     pub d_force_d_velocity: f64,
-    /// Force of the primary damper (FV curve), N.
+    /// Hydraulic force, N: that of the primary damper (FV curve), with the effects of oil and valves.
     pub primary_force: f64,
     /// Force of the springs on the internal mass, N.
     pub spring_force: f64,
@@ -70,7 +72,7 @@ pub struct Output {
     pub friction_force: f64,
     /// Gas force including the gas spring, N; negative if it pushes the rod out.
     pub gas_force: f64,
-    /// Deflection of the series spring, m.
+    /// Deflection of the series compliance, m.
     pub series_deflection: f64,
     /// Force of the stops at the ends of the stroke, N.
     pub stop_force: f64,
@@ -103,7 +105,8 @@ impl Output {
 }
 
 impl Output {
-    /// Adds the force of a parallel element to the output of its component. The total force does not change.
+    /// Adds the force of an element, N, to the friction or gas force, as `component` says. The total force does not
+    /// change.
     pub(crate) fn count(&mut self, component: ForceComponent, force: f64) {
         match component {
             ForceComponent::Total => {}

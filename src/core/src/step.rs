@@ -1,18 +1,22 @@
 //! One host step: a diagonally implicit Runge–Kutta method over a few substeps, at a bounded cost and without side
 //! effects.
 //!
-//! In every stage the velocity u of the internal mass solves one scalar equation. X and V are the known parts of the
-//! mass's displacement and velocity in the stage. g is γh, with the length h of the substep:
+//! In every stage the velocity u of the internal mass m solves one scalar equation. x_in and v_in are displacement and
+//! velocity of the moving end, x_m is the displacement of the mass. k_s and c_s are stiffness and damping of the series
+//! compliance. F_p is the force of the springs on the mass, and F_d the FV curve. X and V are the known parts of the
+//! mass's displacement and velocity in the stage. g is γh, with the diagonal coefficient γ of the method and the length
+//! h of the substep:
 //!
 //! ```text
 //! x_m = X + g u,   m (u − V) = g [k_s (x_in − x_m) + c_s (v_in − u) − F_p(x_m) − F_d(u)]
 //! ⇔  a u + g F_d(u) = r,   a = m + g (c_s + ∂F_p/∂v) + g² (k_s + ∂F_p/∂x)
 //! ```
 //!
-//! The springs on the mass are linearized about the predicted x_m, because they are soft compared with k_s. A spring
-//! with a table or a higher power is linearized again about the solution if its tangent is too inaccurate there. The
-//! left side rises strictly with u, so the solution is unique for any stiffness. [`crate::curve::Curve::solve`] finds
-//! the solution with a bounded number of operations. All methods are L-stable and stiffly accurate.
+//! The springs on the mass are linearized about the predicted x_m, because they are soft compared with the series
+//! spring. A spring with a table, or with a cubic or quartic term, is linearized again about the solution if its
+//! tangent is too inaccurate there. The left side rises strictly with u, so the solution is unique for any stiffness.
+//! [`crate::curve::Curve::solve`] finds the solution with a bounded number of operations. All methods are L-stable and
+//! stiffly accurate.
 //!
 //! The cheap step is a separate method: see [`cheap`].
 
@@ -41,10 +45,10 @@ use parallel::advance_extras;
 use primary::{Any, Faded, Plain, Primary};
 use tableau::{EULER, THREE_STAGE, Tableau};
 
-/// Longest step, s, that resolves fast motion. For example, the period of wheel hop is a tenth of a second.
+/// Longest step, s, that resolves fast motion: a tenth of the period of wheel hop, for example.
 pub const LONG_STEP: f64 = 0.01;
 
-/// Advances `from` to the end of the step, where the host's input is `to`.
+/// Advances the state `from` by a step of `dt`, s, to its end, where the host's input is `to`.
 ///
 /// Returns the new state and the output at the end. The output contains the force and its exact derivatives with
 /// respect to displacement and velocity of `to`. If a result is not finite, returns `from` and [`Output::ZERO`].
@@ -58,7 +62,7 @@ pub fn step(model: &Model, from: &State, to: &Input, dt: f64) -> (State, Output)
     (state, output)
 }
 
-/// Advances a state and writes the new state and the output to the caller's variables.
+/// Advances the state `from` by a step of `dt`, s, and writes the new state and the output to the caller's variables.
 ///
 /// Returns false if a number of the new state or of the output is not finite. The state is then `from`, and the output
 /// stays unchanged.
@@ -68,7 +72,7 @@ pub fn step_into(model: &Model, from: &State, to: &Input, dt: f64, state: &mut S
     step_in_place(model, state, to, dt, output)
 }
 
-/// Advances a state in place.
+/// Advances a state in place by a step of `dt`, s, at whose end the input is `to`.
 ///
 /// Returns false if a number of the new state or of the output is not finite; both then stay unchanged. Only inputs or
 /// states far outside the range of dampers cause this. A single cheap step is not checked, because its result is finite
@@ -78,7 +82,7 @@ pub fn step_in_place(model: &Model, state: &mut State, to: &Input, dt: f64, outp
     move_on(model, state, to, dt, output, true)
 }
 
-/// Advances a state in place and returns the force of [`step_in_place`], bitwise equal, without its derivatives.
+/// Advances a state in place and returns the force, N, of [`step_in_place`], equal bit by bit, without its derivatives.
 /// Returns `None` if a result is not finite.
 #[inline(always)]
 pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> Option<f64> {
@@ -86,7 +90,7 @@ pub fn force_in_place(model: &Model, state: &mut State, to: &Input, dt: f64) -> 
     move_on(model, state, to, dt, &mut output, false).then_some(output.force)
 }
 
-/// Advances one step. Without `derivatives`, the derivatives of the output have no meaning.
+/// Advances one step of `dt`, s, in place. Without `derivatives`, the derivatives of the output have no meaning.
 #[inline(always)]
 fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
     if !model.has_laid_out(state) {
@@ -96,8 +100,8 @@ fn move_on(model: &Model, state: &mut State, to: &Input, dt: f64, output: &mut O
         if !cheap_step::<true>(model, state, to, dt, output) {
             cheap_step_in_full(model, state, *to, dt, output);
         }
-        // The result is finite for all inputs whose fourth powers do not overflow, because the solution has a closed
-        // form.
+        // The result is not checked. It is finite for all inputs whose fourth powers do not overflow, because the
+        // solution has a closed form.
         return true;
     }
     step_of_any_kind(model, state, *to, dt, output, derivatives)
@@ -158,7 +162,7 @@ fn keep_if_finite(reached: &State, answer: &Output, state: &mut State, output: &
 }
 
 /// Takes any step other than a single cheap step. The input is passed by value, so that the caller can keep its own
-/// copy in registers. The cost of this call is negligible.
+/// copy in registers.
 #[cold]
 #[inline(never)]
 fn step_of_any_kind(
@@ -205,26 +209,27 @@ fn step_by_its_method(
     }
 }
 
-/// Returns whether a step is one substep of the three-stage method. Most steps are, so this case has its own compiled
-/// code. All other steps share the code around their stages. Steps with five stages, nonlinear springs or a fading
-/// curve also share the code of the stages ([`mass`]). Separate code for each case would be a third of the library.
+/// Returns whether a step of `dt`, s, is one substep of the three-stage method. Most steps are, so this case has its
+/// own compiled code. All other steps share the code around their stages. Steps with five stages, nonlinear springs or
+/// a fading curve also share the code of the stages ([`mass`]). Separate code for each case would be a third of the
+/// library.
 #[inline(always)]
 fn is_common(model: &Model<impl Tables>, dt: f64) -> bool {
     let of = &model.integration;
     of.method == Method::ThreeStage && of.is_one(dt)
 }
 
-/// Returns the method of a step in which no spring stiffens.
+/// Returns the method of a step of `dt`, s, without a bushing, whose stiffness would rise in the step.
 fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
     let of = &model.integration;
     Tableau::for_method(of.method_of(dt, of.substeps(dt), || 1.0))
 }
 
-/// Takes a step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]). The factor depends on
-/// the host's temperature alone, so it is known before the step.
+/// Takes a step of a plain damper whose FV curve fades as a whole ([`Elements::fades_alone`]). The fade factor depends
+/// on the host's temperature alone, so it is known before the step.
 ///
-/// The cheap method does not use this function, because a linearized step would differ from that through the force
-/// path.
+/// The cheap method does not use this function, because its linearized plain step would differ from its step through
+/// the force path.
 #[inline(never)]
 fn step_of_a_fading_damper(
     model: &Model<impl Tables>,
@@ -258,7 +263,8 @@ fn step_through_paths(
     }
 }
 
-/// Advances a damper with elements in its series or hydraulic path ([`Elements::has_paths`]).
+/// Advances a damper with elements in its series or hydraulic path ([`Elements::has_paths`]) and passes every stage to
+/// `follow`.
 pub fn advance_paths(
     model: &Model,
     state: &mut State,
@@ -313,7 +319,8 @@ fn advance_paths_with(
     output.d_force_d_velocity = through.d_force_d_v + friction.d_force_d_v + preload.d_force_d_v + extras.d_force_d_v;
 }
 
-/// Estimates the ratio of the bushing's stiffness in the step to that at rest.
+/// Estimates the ratio of the bushing's stiffness in a step to that at zero deflection; 1 without a bushing. `v` is the
+/// velocity of the moving end at the end of the step, m/s.
 ///
 /// The bushing is assumed to store the whole kinetic energy of the mass in its motion relative to the moving end. The
 /// speed of the moving end is the higher of its speeds at start and end.
@@ -326,7 +333,8 @@ fn stiffer(e: &Elements<impl Tables>, from: &State, v: f64) -> f64 {
     e.paths.bushing.stiffer(from.displacement - from.mass_displacement, s.mass / s.stiffness * (speed * speed))
 }
 
-/// Repeats a cheap step if an element needs a costly evaluation, or if the linearization is too inaccurate.
+/// Repeats a cheap step that failed, because an element has no short form or because the linearization is too
+/// inaccurate.
 #[cold]
 #[inline(never)]
 fn cheap_step_in_full(model: &Model<impl Tables>, state: &mut State, to: Input, dt: f64, output: &mut Output) {
@@ -338,7 +346,8 @@ fn cheap_step_in_full(model: &Model<impl Tables>, state: &mut State, to: Input, 
 /// Takes one cheap step of a damper without states other than those of its mass, as fast as possible.
 ///
 /// Returns false and changes no state if the linearization is too inaccurate. With `AT_ONCE`, also returns false unless
-/// every element has a direct solution. With direct solutions, no function is called and all values stay in registers.
+/// every element has a short form ([`crate::element::Force::at_once`]). With short forms, no function is called and all
+/// values stay in registers.
 #[inline(always)]
 fn cheap_step<const AT_ONCE: bool>(
     model: &Model<impl Tables>,
@@ -350,7 +359,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let elements = &model.elements;
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let end = path.last();
-    // First evaluate and store everything that does not depend on the mass.
+    // First evaluate and store everything that does not depend on the new motion of the mass.
     let outer = Motion { displacement: end.x, velocity: end.v, side_force: to.side_force, temperature: to.temperature };
     let before = cheap::Before {
         x: state.mass_displacement,
@@ -362,7 +371,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let at = before.springs_at(&end);
     let (friction, springs, preload);
     if AT_ONCE {
-        // Friction comes first, because it most often has no direct solution.
+        // Friction comes first, because it most often has no short form.
         match elements.friction_at_once(&outer) {
             Some(answer) => friction = answer,
             None => return false,
@@ -385,7 +394,7 @@ fn cheap_step<const AT_ONCE: bool>(
         (friction.d_force_d_x + preload.d_force_d_x, friction.d_force_d_v + preload.d_force_d_v);
 
     let after = cheap::take(elements, &before, &end, at.displacement, springs);
-    // With `AT_ONCE`, all springs are linear.
+    // With `AT_ONCE`, all springs on the mass are linear or quadratic, so their linearization needs no check.
     if !(after.holds() && (AT_ONCE || after.springs_hold(elements, &end, before.side))) {
         return false;
     }
@@ -400,7 +409,7 @@ fn cheap_step<const AT_ONCE: bool>(
     let deflection = end.x - after.x;
     output.series_deflection = deflection;
     output.force = (s.stiffness * deflection + s.damping * (end.v - after.v)) + beside;
-    // The motion of the mass reduces the derivatives of the series force.
+    // The motion of the mass reduces the derivatives of the series force, because the mass follows the moving end.
     let follows = s.damping + dt * s.stiffness;
     let per_impulse = dt * after.by_impulse;
     let by_x = s.stiffness - follows * (s.stiffness * per_impulse) + by_x_beside;
@@ -413,9 +422,10 @@ fn cheap_step<const AT_ONCE: bool>(
     true
 }
 
-/// Advances several dampers of one model, such as the corners of a car, bitwise equal to single steps.
+/// Advances several dampers of one model by `dt`, s, such as those of a car's corners, with results equal bit by bit to
+/// single steps.
 ///
-/// Stops at the shortest of the lists.
+/// Advances as many dampers as the shortest of the four lists contains.
 pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: &mut [State], outputs: &mut [Output]) {
     for (((from, to), state), output) in from.iter().zip(to).zip(states).zip(outputs) {
         step_into(model, from, to, dt, state, output);
@@ -424,7 +434,7 @@ pub fn step_batch(model: &Model, from: &[State], to: &[Input], dt: f64, states: 
 
 /// Takes a step for which [`is_common`] is true, with exact derivatives if requested.
 ///
-/// With `BENT` the springs are nonlinear. The function is not inlined, so that it can use all registers.
+/// With `BENT` the springs are nonlinear. The function is not inlined, so that its code can use all registers.
 #[inline(never)]
 fn answer<P: Primary, const BENT: bool>(
     model: &Model<impl Tables>,
@@ -472,9 +482,9 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
 
 /// Advances a state in place and passes every stage to `follow`.
 ///
-/// The derivatives of the output treat the internal mass as fixed. Unless `follow` requests derivatives, they also
-/// treat the internal states as fixed. For dampers with elements in the series or hydraulic path, use
-/// [`advance_paths`], because their stages differ.
+/// The derivatives of the output treat the internal mass as fixed, unless [`Follow::yields`] returns its share. Unless
+/// `follow` requests derivatives, they also treat the internal states as fixed. For dampers with elements in the series
+/// or hydraulic path, use [`advance_paths`], because their stages differ.
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = tableau(model, dt);
     advance_by::<Plain, _, _, false, true>(method, model, to, dt, follow, state, output);
@@ -535,7 +545,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
         by_x = inner.d_force_d_x;
         by_v = inner.d_force_d_v + primary.derivative;
     }
-    // The most frequent step inlines these functions; all other steps call them.
+    // The most frequent kind of step inlines friction and preload; all other steps call [`Elements::outer`].
     let Outer { friction, preload } = if COMMON && !BENT {
         Outer { friction: e.friction(&outer), preload: e.preload(&outer) }
     } else {
@@ -547,7 +557,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
     by_x += friction.d_force_d_x + preload.d_force_d_x;
     by_v += friction.d_force_d_v + preload.d_force_d_v;
     if e.has_stateful_or_stop() {
-        // These are copies, so that only this branch stores the values in memory.
+        // These are copies, so that only this branch stores path and motion in memory.
         let (path, outer) = (path, outer);
         let sum = advance_extras(
             (method, substeps),
@@ -572,7 +582,7 @@ mod tests {
     use super::*;
     use std::vec::Vec;
 
-    /// Returns the matrix of a method including the diagonal.
+    /// Returns the Runge–Kutta matrix a_ij of a method, including the diagonal.
     fn matrix(rows: &Tableau) -> Vec<Vec<f64>> {
         let entry = |i: usize, j: usize| match i.cmp(&j) {
             core::cmp::Ordering::Less => 0.0,
@@ -582,7 +592,7 @@ mod tests {
         (0..rows.stages).map(|i| (0..rows.stages).map(|j| entry(i, j)).collect()).collect()
     }
 
-    /// Returns the largest residual of all order conditions up to a given order.
+    /// Returns the largest residual of all Runge–Kutta order conditions of a method up to the order `order`.
     fn misses(method: Method, order: usize) -> f64 {
         let a = matrix(Tableau::for_method(method));
         let c: Vec<f64> = a.iter().map(|row| row.iter().sum()).collect();
@@ -623,7 +633,8 @@ mod tests {
     fn growth(method: Method) -> (f64, f64) {
         let a = matrix(Tableau::for_method(method));
         let after = |y: f64| {
-            // Complex numbers as pairs: z = iy, k_i = 1 + z Σ a_ij k_j.
+            // Complex numbers are pairs. The stages k_i of dx/dt = z x with z = iy and the step 1 satisfy k_i = 1 + z Σ
+            // a_ij k_j.
             let mut stages: Vec<(f64, f64)> = Vec::new();
             for (i, row) in a.iter().enumerate() {
                 let sum = row.iter().zip(&stages).fold((0.0, 0.0), |s, (a, k)| (s.0 + a * k.0, s.1 + a * k.1));
@@ -640,8 +651,8 @@ mod tests {
     }
 
     /// No method amplifies an oscillation, and each removes an infinitely stiff motion. The test evaluates the
-    /// imaginary axis. Every γ is positive, so all poles lie to the right of this axis. Therefore the bound holds in
-    /// the whole left half-plane.
+    /// imaginary axis. Every diagonal coefficient γ is positive, so all poles of the stability functions lie to the
+    /// right of this axis. Therefore the bound holds in the whole left half-plane.
     #[test]
     fn the_methods_are_l_stable() {
         for (most, left) in

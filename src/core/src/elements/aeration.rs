@@ -6,11 +6,11 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Air in the oil column, which deflects under a force F by q(F) = F/k_o + d F/(|F| + F_a).
+/// Air in the oil column, which deflects under a force F, N, by q(F) = F/k_o + d F/(|F| + F_a), m.
 ///
 /// k_o is the stiffness of `oil_compressibility`, or 3e7 N/m if that element is off. d is the stroke that the air
-/// yields, half of it at the force F_a. The air is in the chamber under pressure: d = d_a in rebound, r_a d_a in
-/// compression.
+/// yields, half of it at the force F_a. The air is in the chamber under pressure. Its stroke is d = d_a in rebound and
+/// r_a d_a in compression.
 #[derive(Clone, Copy, Debug)]
 pub struct Aeration {
     rebound: SoftGap,

@@ -6,7 +6,8 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Bump stop with the force F = −P(−x, −v), which pushes the rod out. P is the law of [`EndStop`].
+/// Bump stop with the force F = −P(−x, −v), N, which pushes the rod out. P is the law of [`EndStop`], x the
+/// displacement, m, and v the velocity, m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct BumpStop(EndStop);
 

@@ -8,40 +8,39 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Rubber bushing with the force F_s = φ (1 + (φ/(k_s d_h))²) + k_e P(φ/k_s) + k_1 z + k_2 y.
 ///
-/// φ is the force of the linear series spring, and k_s its stiffness. At the deflection d_h, the hardened force is
-/// twice φ.
-/// With free play in series, the deflection d in this law and in the stop is that of the spring, φ/k_s. The two
-/// relaxing elements, z and y, follow the deflection of the whole series path.
+/// φ is the force of the linear series spring, N, and k_s its stiffness, N/m. At the deflection d_h, m, the hardened
+/// force is twice φ. With free play in series, the deflection d in this law and in the stop is that of the spring,
+/// φ/k_s. The two relaxing elements, z and y, follow the deflection of the whole series path.
 ///
 /// *Stop*: P(d) = sgn(d) ((d⁴ + L⁴)^¼ − L) is a smooth form of the deflection d beyond the stop at L. It tends to
 /// |d| − L far beyond L, and to d⁴/(4 L³) far below it. The stop adds a stiffness that rises toward k_e.
 ///
-/// *Losses*: two relaxing elements are parallel to the spring. One of stiffness k_1 relaxes with time (Maxwell) and
-/// with deflection, as filler friction does (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt = dd/dt − z/τ − |dd/dt| z/d_f. The
-/// other, of stiffness k_2, relaxes more slowly: dy/dt = dd/dt − y/τ_2. Two elements are necessary, because the
-/// relaxation times of rubber span several decades.
+/// *Losses*: two relaxing elements are parallel to the spring. One of stiffness k_1 and deflection z relaxes with the
+/// time τ (Maxwell) and over the deflection d_f, as filler friction does (Berg, Veh. Syst. Dyn. 30, 1998): dz/dt =
+/// dd/dt − z/τ − |dd/dt| z/d_f. The other, of stiffness k_2 and deflection y, relaxes more slowly: dy/dt = dd/dt −
+/// y/τ_2. Two elements are necessary, because the relaxation times of rubber span several decades.
 #[derive(Clone, Copy, Debug)]
 pub struct Bushing {
-    /// 1/d_h.
+    /// One over the deflection d_h at which hardening doubles the force, 1/m.
     per_length: f64,
-    /// k_1/k_s.
+    /// Stiffness of the first relaxing element over that of the series spring, k_1/k_s.
     pub(crate) share: f64,
-    /// 1/τ.
+    /// One over the relaxation time τ of the first element, 1/s.
     per_time: f64,
-    /// 1/d_f.
+    /// One over the deflection d_f in which filler friction relaxes the first element, 1/m.
     per_slip: f64,
-    /// L.
+    /// Deflection L at which the rubber meets its stop, m.
     stop: f64,
-    /// k_e/k_s.
+    /// Additional stiffness of the stop over that of the series spring, k_e/k_s.
     pub(crate) stop_share: f64,
-    /// k_2/k_s.
+    /// Stiffness of the slowly relaxing element over that of the series spring, k_2/k_s.
     pub(crate) slow_share: f64,
-    /// 1/τ_2.
+    /// One over the relaxation time τ_2 of the slow element, 1/s.
     per_slow_time: f64,
 }
 
-/// Deflections z and y of the relaxing elements after an implicit stage. The derivatives are with respect to the rate
-/// of the deflection, and to the known parts of z and y.
+/// Deflections z and y, m, of the two relaxing elements after an implicit stage. The derivatives are with respect to
+/// the rate of the series deflection, and to the known parts of z and y.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxed {
     pub at: [f64; 2],
@@ -53,7 +52,7 @@ impl Relaxed {
     pub const NONE: Relaxed = Relaxed { at: [0.0; 2], by_rate: [0.0; 2], by_known: [0.0; 2] };
 }
 
-/// Width of the smooth onset of the filler friction, as a rate of the deflection, m/s.
+/// Rate of the series deflection, m/s, over which the filler friction sets in smoothly.
 const TURNING: f64 = 2e-3;
 
 impl Describe for Bushing {
@@ -134,19 +133,22 @@ impl Prepare for Bushing {
 }
 
 impl Bushing {
-    /// Computes 1/τ + |dd/dt|/d_f, with a smooth onset of the second term.
+    /// Computes the relaxation rate of z, 1/τ + |dd/dt|/d_f, 1/s, with a smooth onset of the second term, the filler
+    /// friction. `rate` is the rate dd/dt of the series deflection, m/s.
     #[inline(always)]
     fn gives_way<R: Real>(&self, rate: R) -> R {
         (rate * rate * rate.abs().plus(TURNING).inverse() * self.per_slip).plus(self.per_time)
     }
 
-    /// Computes the state derivatives dz/dt and dy/dt; `rate` is the rate of the deflection, m/s.
+    /// Computes dz/dt and dy/dt, m/s, of the relaxing deflections z and y; `rate` is the rate of the series deflection,
+    /// m/s.
     #[inline(always)]
     pub(crate) fn rates<R: Real>(&self, rate: R, [z, y]: [R; 2]) -> [R; 2] {
         [rate - z * self.gives_way(rate), rate - y * self.per_slow_time]
     }
 
-    /// Computes z and y after an implicit stage: z − g dz/dt and y − g dy/dt equal `known`. y is 0 unless `SLOW` is
+    /// Computes the relaxing deflections z and y after an implicit stage: z − g dz/dt and y − g dy/dt equal `known`.
+    /// `rate` is the rate of the series deflection, m/s, and `g` the weight of the stage, s. y is 0 unless `SLOW` is
     /// true.
     #[inline(always)]
     pub(crate) fn stage<const SLOW: bool>(&self, rate: f64, known: [f64; 2], g: f64) -> Relaxed {
@@ -167,19 +169,20 @@ impl Bushing {
         relaxed
     }
 
-    /// Computes (k_1 z + k_2 y)/k_s.
+    /// Computes (k_1 z + k_2 y)/k_s, m: the force of the relaxing elements over the series stiffness.
     #[inline(always)]
     pub(crate) fn relaxing<R: Real>(&self, [z, y]: [R; 2]) -> R {
         z * self.share + y * self.slow_share
     }
 
-    /// Returns the ratio of the rubber's stiffness at its largest deflection to that at rest.
+    /// Returns the ratio of the rubber's stiffness at its largest deflection to that at zero deflection.
     ///
-    /// The rubber then stores the energy of the present `deflection` plus the kinetic energy of the mass. `moving` is
-    /// that kinetic energy divided by ½ k_s, in m². The stop is not included, because its stiffness never exceeds the
-    /// constant k_e.
+    /// The largest deflection stores the elastic energy of the present `deflection`, m, plus the kinetic energy of the
+    /// mass. `moving` is that kinetic energy divided by ½ k_s, in m², with the series stiffness k_s. The stop is not
+    /// included, because its stiffness never exceeds the constant k_e.
     ///
-    /// With d_h as the unit, a deflection d stores ½ k_s (d² + ½ d⁴), and the stiffness ratio is 1 + 3 d².
+    /// In units of the hardening deflection d_h, a deflection d stores ½ k_s (d² + ½ d⁴), and the stiffness ratio is 1
+    /// + 3 d².
     pub(crate) fn stiffer(&self, deflection: f64, moving: f64) -> f64 {
         let unit = self.per_length * self.per_length;
         let square = deflection * deflection * unit;
@@ -187,7 +190,8 @@ impl Bushing {
         1.0 + 3.0 * (libm::sqrt(1.0 + 2.0 * held) - 1.0)
     }
 
-    /// Computes the hardened force and stiffness of a spring with `force` and `stiffness`; `k` is k_s.
+    /// Computes the hardened force, N, and stiffness, N/m, of a spring with `force` and `stiffness`; `k` is the series
+    /// stiffness k_s.
     #[inline(always)]
     pub(crate) fn hardened<R: Real>(&self, k: R, force: R, stiffness: R) -> (R, R) {
         let deflection = force * k.inverse();

@@ -11,9 +11,10 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Cavitation: in one direction, the capped one, the oil transmits at most the force C, the cap.
 ///
-/// p = σ F_h is the hydraulic force in this direction, with σ = 1 for rebound and −1 for compression. Further stroke
-/// opens a void, whose depth e is measured along the stroke. u is the velocity of the piston, v that of the moving end,
-/// and w that of the oil at the valves. q is the deflection of the oil column.
+/// p = σ F_h, N, is the hydraulic force in this direction, with σ = 1 for rebound and −1 for compression. If p reaches
+/// C, further stroke opens a void, whose depth e, m, is measured along the stroke. u is the velocity of the piston, v
+/// that of the moving end, and w that of the oil at the valves. q is the deflection of the oil column. T is the force
+/// while the void closes.
 ///
 /// ```text
 /// u = w + dq/dt + σ de/dt
@@ -21,11 +22,12 @@ use crate::schema::{Describe, Parameter, View};
 /// T = C while the moving end moves in the capped direction, κ C on its return
 /// ```
 ///
-/// R(x) is max(x, 0) with a smooth onset. The resistance r is so small that at 1 m/s the force stays within 0.01 C of C
-/// or T. While a void lasts, the valves pass the flow that the force T drives through them, so flow and motion close
-/// the void. With κ = 1 the gas pressure still acts on the return; with κ = 0 the rod moves freely. Gas in the void
-/// sets its pressure: the void opens at a fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 −
-/// α)/(1 + e/e_1); α = 1 is a void of vapor alone.
+/// R(x) is max(x, 0) with a smooth onset, and e_0 a void of 10 µm. The resistance r, N s/m, is so small that at 1 m/s
+/// the force stays within 0.01 C of C or T. While a void lasts, the valves pass the flow that the force T drives
+/// through them, so flow and motion close the void. κ is the fraction of the cap that remains on the return. With κ = 1
+/// the gas pressure still acts; with κ = 0 the rod moves freely. Gas in the void sets its pressure: the void opens at a
+/// fraction α of the cap. As the gas expands, C and T are multiplied by 1 − (1 − α)/(1 + e/e_1). The void e_1 halves
+/// the deficit, and α = 1 means a void of vapor alone.
 ///
 /// *Foot valve*: the force is not limited. Beyond the speed v_f in the direction σ, the valve does not refill the
 /// chamber behind the piston completely. The fraction a of the further flow is missing. The return then begins with a
@@ -37,43 +39,44 @@ use crate::schema::{Describe, Parameter, View};
 #[derive(Clone, Copy, Debug)]
 pub struct Cavitation {
     is_foot_valve: bool,
-    /// a and v_f.
+    /// Missing fraction a of the flow through a foot valve; `filling` is the speed v_f above which flow is missing,
+    /// m/s.
     unfilled: f64,
     filling: f64,
-    /// C.
+    /// Cap C: largest hydraulic force of the capped stroke, N.
     cap: f64,
-    /// σ.
+    /// Sign σ of the capped stroke: 1 for rebound, −1 for compression.
     pub(crate) sign: f64,
-    /// 1 − κ.
+    /// Fraction of the cap that is lost on the return, 1 − κ.
     lost: f64,
-    /// Width of the onset of the ramp, as a force.
+    /// Excess of the force, N, over which the opening or closing of the void sets in smoothly.
     rounding: f64,
-    /// 1/r.
+    /// One over the resistance r of the opening void, m/(N s).
     per_resistance: f64,
-    /// 1 − α.
+    /// Deficit 1 − α of the force at which the void opens, relative to the cap.
     short_at_onset: f64,
-    /// 1/e_1.
+    /// One over the void e_1 at which expanded gas has halved the deficit, 1/m.
     per_expansion: f64,
 }
 
-/// r is C divided by this speed, m/s.
+/// Speed, m/s, at which the void would open if the force were twice the cap C: the resistance is C over this speed.
 const SLACK: f64 = 100.0;
-/// Width of the onset of the ramp, relative to C, or to 1 N for a foot valve.
+/// Excess of the force over which the void's motion sets in smoothly, relative to the cap C (1 N for a foot valve).
 const ROUNDING: f64 = 2e-3;
-/// Speed of the moving end, m/s, within which T changes smoothly from C to κ C.
+/// Speed of the moving end, m/s, over which the closing force changes smoothly from the cap C to its remainder κ C.
 const TURNING: f64 = 3e-3;
-/// e_0, m: a smaller void closes more slowly.
+/// Depth of void e_0, m, below which a void closes more slowly.
 const CLOSED: f64 = 1e-5;
-/// Width of the onset of the refill deficit, as a speed above v_f, m/s.
+/// Speed above `cavitation_velocity`, m/s, over which the refill deficit of a foot valve sets in smoothly.
 const LAGGING: f64 = 0.05;
 /// Resistance of the rod while the void of a foot valve closes, N s/m.
 const FREE: f64 = 10.0;
-/// Longest void at rest, m; no damper has such a stroke. Without this limit, a lasting force close to the cap would
-/// open a void of 10^12 m, which never closes.
+/// Deepest void in the steady state, as a stroke, m; no damper has such a stroke. Without this limit, a lasting force
+/// close to the cap would open a void of 10^12 m, which never closes.
 const LONGEST: f64 = 1.0;
-/// Largest number of steps for the void at the end of a stage, sufficient for pure bisection.
+/// Largest number of iterations for the void at the end of a stage, sufficient for pure bisection.
 const STEPS: usize = 80;
-/// Step of the iteration for the void, relative to e + e_0, at or below which the iteration ends.
+/// Step of the iteration for the void e, relative to e + 10 µm, at or below which the iteration ends.
 const CLOSE: f64 = 1e-9;
 
 impl Describe for Cavitation {
@@ -168,7 +171,7 @@ fn opened<R: Real>(void: R) -> R {
     if void.value() > 0.0 { void } else { R::constant(0.0) }
 }
 
-/// Computes max(x, 0) with a smooth onset over a width.
+/// Computes max(x, 0) with a smooth onset from x = 0 to x = `width`.
 #[inline(always)]
 fn softly<R: Real>(x: R, width: f64) -> R {
     let at = x.value();
@@ -181,7 +184,7 @@ fn softly<R: Real>(x: R, width: f64) -> R {
     }
 }
 
-/// Computes e/(e + e_0).
+/// Computes e/(e + e_0) for a void of depth e, m: near 1, and 0 for a closed void. e_0 is [`CLOSED`].
 #[inline(always)]
 fn share_open<R: Real>(void: R) -> R {
     let e = opened(void);
@@ -189,7 +192,7 @@ fn share_open<R: Real>(void: R) -> R {
 }
 
 impl Cavitation {
-    /// Returns the factor by which gas in the void reduces C and T: 1 − (1 − α)/(1 + e/e_1).
+    /// Returns the factor by which gas in the void e reduces the cap and the closing force, 1 − (1 − α)/(1 + e/e_1).
     #[inline(always)]
     fn expanded<R: Real>(&self, void: R) -> R {
         if self.short_at_onset == 0.0 {
@@ -198,8 +201,8 @@ impl Cavitation {
         (-((opened(void) * self.per_expansion).plus(1.0).inverse() * self.short_at_onset)).plus(1.0)
     }
 
-    /// Returns T/C, the fraction of the cap that remains on the return, or 1 for a foot valve. `velocity` is the
-    /// velocity of the moving end.
+    /// Returns the closing force T over the cap C: 1 in the capped direction, κ on the return, always 1 for a foot
+    /// valve. `velocity` is the velocity of the moving end, m/s.
     #[inline(always)]
     fn kept<R: Real>(&self, velocity: R) -> R {
         if self.is_foot_valve {
@@ -209,10 +212,10 @@ impl Cavitation {
         (-(returning * (0.5 * self.lost))).plus(1.0)
     }
 
-    /// Returns the excess p − C of the force over the cap, and its deficit T − p below the closing force T.
+    /// Returns the excess p − C, N, of the force p over the cap C, and its deficit T − p, N, below the closing force T.
     ///
-    /// `pressure` is p, and `expanded` is the factor by which the expanded gas reduces C and T. A foot valve has no
-    /// cap: its excess is always negative, and its deficit is −p.
+    /// `pressure` is p, `kept` is T/C, and `expanded` is the factor by which the expanded gas reduces C and T. A foot
+    /// valve has no cap: its excess is always negative, and its deficit is −p.
     #[inline(always)]
     fn beyond_and_short<R: Real>(&self, pressure: R, kept: R, expanded: R) -> (R, R) {
         if self.is_foot_valve {
@@ -222,13 +225,14 @@ impl Cavitation {
         (pressure - cap, cap * kept - pressure)
     }
 
-    /// Computes R(x)/r with a smooth onset.
+    /// Computes the rate of the void, m/s, that an excess or deficit `x` of the force, N, causes; 0 for a negative `x`.
     #[inline(always)]
     fn ramp<R: Real>(&self, x: R) -> R {
         softly(x, self.rounding) * self.per_resistance
     }
 
     /// Returns the rate at which the refill deficit of a foot valve opens the void, m/s; 0 in the other form.
+    /// `velocity` is that of the moving end, m/s.
     #[inline(always)]
     pub(crate) fn lags<R: Real>(&self, velocity: R) -> R {
         if !self.is_foot_valve {
@@ -238,7 +242,8 @@ impl Cavitation {
         softly(beyond, LAGGING) * self.unfilled
     }
 
-    /// Returns the part of de/dt that depends on the hydraulic force, without the refill deficit.
+    /// Returns the part of the void's rate, m/s, that depends on the hydraulic force `force`, N: without the refill
+    /// deficit. `velocity` is that of the moving end, m/s, and `void` the depth, m.
     #[inline(always)]
     pub(crate) fn rate<R: Real>(&self, force: R, velocity: R, void: R) -> R {
         self.rate_at(force * self.sign, self.kept(velocity), void)
@@ -250,8 +255,9 @@ impl Cavitation {
         self.ramp(beyond) - self.ramp(short) * share_open(void)
     }
 
-    /// Returns the void under a lasting force, where the gas in it has expanded until the cap equals the force. Returns
-    /// 0 if no void opens, if the gas cannot balance the force, or if the void would exceed [`LONGEST`].
+    /// Returns the void, m, under a lasting hydraulic force, N, where the gas in the void has expanded until the cap
+    /// equals the force. Returns 0 if no void opens, if the gas cannot balance the force, or if the void would exceed
+    /// [`LONGEST`].
     pub(crate) fn rests(&self, force: f64) -> f64 {
         let share = force * self.sign / self.cap;
         if self.is_foot_valve || share <= 1.0 - self.short_at_onset || share >= 1.0 {
@@ -261,7 +267,8 @@ impl Cavitation {
         if void < LONGEST { void } else { 0.0 }
     }
 
-    /// Computes the void e at the end of an implicit stage, e − g de/dt = E. The `known` part E includes the refill
+    /// Computes the void e, m, at the end of an implicit stage, e − g de/dt = `known`. `force` is the hydraulic force,
+    /// N, `velocity` that of the moving end, m/s, and `g` the weight of the stage, s. `known` includes the refill
     /// deficit.
     #[inline(always)]
     pub(crate) fn stage<R: Real>(&self, force: R, velocity: R, known: R, g: f64) -> R {
@@ -276,24 +283,27 @@ impl Cavitation {
         if known.value() <= 0.0 || short.value() <= 0.0 {
             return known;
         }
-        // e² + (e_0 − E + g R/r) e = E e_0
+        // The void e solves e² + (e_0 − E + g R/r) e = E e_0. E is `known`, and R/r the closing rate `ramp(short)` of a
+        // wide void.
         let half = ((self.ramp(short) * g - known).plus(CLOSED)) * 0.5;
         let product = known * CLOSED;
         let root = (half * half + product).sqrt();
         if half.value() > 0.0 { product * (half + root).inverse() } else { root - half }
     }
 
-    /// Solves the stage of an implicit step if the cap grows with the void.
+    /// Solves the implicit stage e − g de/dt = `known` for the void e if the cap grows with the void.
     ///
-    /// e − g de/dt rises with e, because the opening cap and the closing pressure both grow. Its difference from E is
-    /// negative at the lower end of the bracket and positive at the upper end, so there is one root. A Newton step
-    /// longer than half the previous step is replaced by bisection (rtsafe: Press et al., *Numerical Recipes*, 9.4).
+    /// e − g de/dt rises with e, because the opening cap and the closing pressure both grow. Its difference from
+    /// `known` is negative at the lower end of the bracket and positive at the upper end, so there is one root. A
+    /// Newton step longer than half the previous step is replaced by bisection (rtsafe: Press et al., *Numerical
+    /// Recipes*, 9.4).
     fn stage_with_gas<R: Real>(&self, pressure: R, kept: R, known: R, g: f64) -> R {
         let (p, k) = (Dual::<1>::constant(pressure.value()), Dual::constant(kept.value()));
         let target = known.value();
         let opens = softly(p.value - self.cap * (1.0 - self.short_at_onset), self.rounding) * self.per_resistance * g;
         let (mut low, mut high) = (target.min(0.0), target.max(0.0) + opens);
-        // The initial guess assumes a linear ramp and no closing flow. Then y = 1 + e/e_1 satisfies y² − b y = c.
+        // The initial guess assumes a rate proportional to the excess, and no closing flow. Then y = 1 + e/e_1
+        // satisfies y² − b y = c.
         let b = 1.0 + self.per_expansion * (target + g * self.per_resistance * (p.value - self.cap));
         let c = g * self.per_resistance * self.cap * self.short_at_onset * self.per_expansion;
         let root = libm::sqrt(0.25 * b * b + c);
@@ -319,7 +329,7 @@ impl Cavitation {
                 break;
             }
         }
-        // A further Newton step adds the derivatives of the solution with respect to the inputs.
+        // A further Newton step gives the solution its derivatives with respect to pressure and known part.
         let end = R::constant(void);
         let missed = end - self.rate_at(pressure, kept, end) * g - known;
         end - missed * (1.0 / derivative)

@@ -6,8 +6,8 @@ use crate::math::tanh;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Coulomb friction with the force F = F_s tanh(K v). F_s is the friction force at high speed, and K the steepness of
-/// the change of sign.
+/// Coulomb friction with the force F = F_s tanh(K v). F_s is the friction force at high speed, N, v the velocity, m/s,
+/// and K, s/m, the steepness of the change of sign.
 #[derive(Clone, Copy, Debug)]
 pub struct CoulombFriction {
     level: f64,
@@ -37,7 +37,8 @@ impl Force for CoulombFriction {
     }
 }
 
-/// Computes level · tanh(steepness · v), the law of dry friction that several elements use.
+/// Computes `level` · tanh(`steepness` · `v`), N, with its derivatives: the law of dry friction that several elements
+/// use. `v` is the velocity, m/s, and `steepness` is in s/m.
 #[inline(always)]
 pub fn smooth_sign(level: f64, steepness: f64, v: f64) -> Response {
     let t = tanh(steepness * v);

@@ -10,28 +10,30 @@ use crate::math::tanh;
 /// f = s₊²/(s₊ + s_0), or s₊²/v_1 through an orifice
 /// ```
 ///
-/// k is the stiffness at first contact, p the depth of progression, η the loss and c the damping; s₊ = max(s, 0). The
-/// spring stiffens and returns less energy than it absorbs. Oil is displaced only while the depth grows. The
-/// derivatives are continuous, because d̃ sets in smoothly over d_0 and the oil force over s_0. v_1 is 1 m/s.
+/// P is the force, N, d the depth, m, and s the speed, m/s. k is the stiffness at first contact, and p the depth at
+/// which the spring has twice its linear force. η is the fraction of the spring force that is lost, and c the damping,
+/// N s/m; s₊ = max(s, 0). The spring stiffens and returns less energy than it absorbs. Oil is displaced only while the
+/// depth grows. The derivatives are continuous, because d̃ sets in smoothly over d_0 and the oil force over s_0. v_1 is
+/// 1 m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct EndStop {
     /// Displacement toward the stop at which the contact begins, m.
     pub clearance: f64,
-    /// k.
+    /// Stiffness k at first contact, N/m.
     pub stiffness: f64,
-    /// 1/p.
+    /// One over the depth p at which the spring has twice its linear force, 1/m.
     pub per_progression: f64,
-    /// η.
+    /// Fraction η of the spring force that is lost in either direction.
     pub loss: f64,
-    /// c.
+    /// Hydraulic damping c on the way into the stop, N s/m, at the depth p.
     pub damping: f64,
     /// Whether the oil flows through an orifice.
     pub is_orifice: bool,
 }
 
-/// d_0: length of the soft onset of the contact, m.
+/// Length d_0 of the soft onset of the contact, m.
 const CONTACT: f64 = 5e-4;
-/// s_0: speed, m/s, over which the losses change sign.
+/// Speed s_0, m/s, over which the losses change sign.
 const TURNING: f64 = 0.02;
 
 impl EndStop {
@@ -39,7 +41,8 @@ impl EndStop {
     pub const OFF: EndStop =
         EndStop { clearance: 0.0, stiffness: 0.0, per_progression: 0.0, loss: 0.0, damping: 0.0, is_orifice: false };
 
-    /// Computes the force P at displacement `x` toward the stop and speed `s` into it, with ∂P/∂x and ∂P/∂s.
+    /// Computes the force P, N, at displacement `x`, m, toward the stop and speed `s`, m/s, into it, with ∂P/∂x and
+    /// ∂P/∂s.
     pub fn push(&self, x: f64, s: f64) -> Response {
         let beyond = x - self.clearance;
         if beyond <= 0.0 {

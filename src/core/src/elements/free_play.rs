@@ -9,20 +9,21 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Free play with the deflection d(F) = F/k_s + g [(F − F_1)/(|F − F_1| + F_0) + F_1/(|F_1| + F_0)].
 ///
-/// Between its contacts the eye moves freely by 2 g. k_s is the series stiffness, and F_1 the force at the center of
-/// the gap. F_0 is the deviation from F_1 at which the gap is half closed. d(0) is 0. The series damping is
-/// proportional to the current stiffness, so it vanishes in the gap.
+/// F is the force, N, and d the deflection, m. Between its contacts the eye moves freely by 2 g, m. k_s is the series
+/// stiffness, N/m, and F_1 the force at the center of the gap. F_0 is the deviation from F_1 at which the gap is half
+/// closed. d(0) is 0. The series damping is proportional to the current stiffness, so it vanishes in the gap.
 #[derive(Clone, Copy, Debug)]
 pub struct FreePlay {
     gap: SoftGap,
-    /// F_1, N.
+    /// Force F_1 at the center of the gap, N.
     load: f64,
-    /// Deflection of the gap alone at the load F_1, without that of the series spring, m.
+    /// Deflection of the gap alone at the force `load`, without the deflection of the series spring, m.
     middle: f64,
 }
 
 impl FreePlay {
-    /// Computes F(d) and dF/dd with a series spring of the stiffness k_s = `stiffness`.
+    /// Computes the force, N, and its derivative, N/m, at a deflection, m, of the gap in series with a spring of
+    /// `stiffness`, N/m.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, stiffness: R, deflection: R) -> (R, R) {
         if self.load == 0.0 {
@@ -33,7 +34,7 @@ impl FreePlay {
         (force.plus(self.load), derivative)
     }
 
-    /// Returns a bound of the deflection that the gap adds to that of the series spring, m.
+    /// Returns an upper bound, m, of the deflection that the gap adds to that of the series spring.
     pub(crate) fn furthest(&self) -> f64 {
         self.gap.gap + self.middle.abs()
     }

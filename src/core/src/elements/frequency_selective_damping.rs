@@ -8,20 +8,22 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Frequency-selective damping, which changes the force F of the FV curve to F_h, in three forms. F is relative to the
-/// force at standstill, which the element does not change. w is the velocity of the oil at the valves.
+/// Frequency-selective damping, which changes the force F, N, of the FV curve to F_h, in three forms. F is relative to
+/// the force at standstill, which the element does not change. w is the velocity of the oil at the valves, m/s, and τ a
+/// time constant, s.
 ///
-/// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p. The fraction a of the force lags.
+/// *Filter*: F_h = (1 − a) F + a p, τ dp/dt = F − p. The fraction a of the force lags; p is its state, N.
 ///
 /// *Stroke*: a bypass closes while a control chamber fills within a stroke: F_h = F (1 − a (1 − y)), τ dz/dt =
-/// tanh(w/u_0) − z. Here y, the smooth step function of z tanh(w/u_0), rises from 0 to 1. After a reversal z still has
-/// the sign of the previous stroke. The bypass is therefore open until z changes sign.
+/// tanh(w/u_0) − z. z is the signed filled fraction of the chamber, and u_0 the speed that fills it. y, the smooth step
+/// function of z tanh(w/u_0), rises from 0 to 1. After a reversal z still has the sign of the previous stroke. The
+/// bypass is therefore open until z changes sign.
 ///
-/// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. The flow, as a velocity, is q_s (1
-/// − y) r(F_h)/r(1 kN). The law r is that of a passage with laminar flow below F_l (see [`crate::paths::bypass`]). The
-/// filling of the current stroke's chamber is y = |z|. It satisfies τ dz/dt = tanh(F_h/F_0) (1 − |z|): a higher
-/// pressure fills the chamber faster. The chamber of the other stroke empties through a check valve in τ/10. Below
-/// about F_0/20 both chambers empty.
+/// *Bypass*: oil bypasses the valves while the control chamber of the stroke fills. The flow, as a piston velocity, is
+/// q_s (1 − y) r(F_h)/r(1 kN), so q_s is that at 1 kN. The law r is that of a passage with laminar flow below F_l (see
+/// [`crate::paths::bypass`]). The filled fraction of the current stroke's chamber is y = |z|. It satisfies τ dz/dt =
+/// tanh(F_h/F_0) (1 − |z|): a higher pressure fills the chamber faster, up to a few F_0. The chamber of the other
+/// stroke empties through a check valve in τ/10. Below a hydraulic force F_h of about F_0/20, both chambers empty.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,
@@ -106,32 +108,33 @@ impl Prepare for FrequencySelectiveDamping {
     }
 }
 
-/// Ratio of the rate at which the chamber of the other stroke empties to the rate at which a chamber fills.
+/// Ratio of the rate at which the chamber of the other stroke empties to the largest rate at which a chamber fills.
 const EMPTIES: f64 = 10.0;
-/// Fraction of F_0 below which the pressure cannot keep a chamber full.
+/// Hydraulic force, as a fraction of `fsd_force`, below which the pressure cannot keep a control chamber full.
 const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {
-    /// Returns whether the state is a force, as in the filter form.
+    /// Returns whether the state is a force, N, as in the filter form, instead of a filled fraction.
     pub(crate) fn holds_force(&self) -> bool {
         !self.is_stroke && !self.is_bypass
     }
 
-    /// Returns the range of the state. A filling ranges from −1, the compression chamber full, to 1, the rebound
-    /// chamber full. A force has no limits.
+    /// Returns the range of the state. In the stroke and bypass forms, it is −1 with a full compression chamber, and 1
+    /// with a full rebound chamber. In the filter form, the state is a force without limits.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.holds_force() { (f64::NEG_INFINITY, f64::INFINITY) } else { (-1.0, 1.0) }
     }
 
-    /// Computes tanh(F_h/F_0), the rate of filling times τ, for the bypass form.
+    /// Computes tanh(F_h/F_0) of the bypass form: τ times the rate at which an empty control chamber fills under the
+    /// force F_h.
     #[inline(always)]
     fn grows<R: Real>(&self, force: R) -> R {
         (force * self.per_force).tanh()
     }
 
-    /// Computes the coefficient of −z in τ dz/dt for the bypass form; `grows` is tanh(F_h/F_0). Only the sign of `z`
-    /// matters.
+    /// Computes the coefficient of −z in τ dz/dt for the bypass form, with the filled fraction z and the time constant
+    /// τ. `force` is the hydraulic force F_h, N, and `grows` is tanh(F_h/F_0). Only the sign of `z` matters.
     #[inline(always)]
     fn falls<R: Real>(&self, force: R, grows: R, z: R) -> R {
         let size = grows.abs();
@@ -142,31 +145,33 @@ impl FrequencySelectiveDamping {
         size + (of_idle * of_idle).plus(1.0).inverse() * EMPTIES
     }
 
-    /// Computes the steady state of z under a constant force, for the bypass form.
+    /// Computes the filled fraction z in the steady state under a constant hydraulic force, N, for the bypass form.
     #[inline(always)]
     pub(crate) fn settles(&self, force: f64) -> f64 {
         let grows = self.grows(force);
         grows / self.falls(force, grows, force)
     }
 
-    /// Computes dz/dt of the bypass form, 1/s.
+    /// Computes dz/dt, 1/s, of the filled fraction `z` in the bypass form; `force` is the hydraulic force, N.
     #[inline(always)]
     pub(crate) fn fills<R: Real>(&self, force: R, z: R) -> R {
         let grows = self.grows(force);
         (grows - z * self.falls(force, grows, z)) * self.per_time
     }
 
-    /// Computes z after an implicit stage of the bypass form: z − g dz/dt equals `known`.
+    /// Computes the filled fraction z after an implicit stage of the bypass form: z − g dz/dt equals `known`. `force`
+    /// is the hydraulic force, N, and `g` the weight of dz/dt in the stage, s.
     #[inline(always)]
     pub(crate) fn filled<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
         let grows = self.grows(force);
-        // Whichever chamber fills, z has the sign of this sum.
+        // Whichever control chamber fills, the filled fraction z has the sign of this sum.
         let sum = known + grows * per;
         sum * (self.falls(force, grows, sum) * per).plus(1.0).inverse()
     }
 
-    /// Computes the flow that bypasses the valves in the bypass form, as a piston velocity in m/s.
+    /// Computes the flow that bypasses the valves in the bypass form, as a piston velocity in m/s. `force` is the
+    /// hydraulic force, N, and `z` the filled fraction of the chambers.
     #[inline(always)]
     pub(crate) fn passes<R: Real>(&self, force: R, z: R) -> R {
         let open = law(force, self.laminar) * self.flow;
@@ -174,13 +179,15 @@ impl FrequencySelectiveDamping {
         if closed.value() <= 0.0 { open } else { open - open * closed }
     }
 
-    /// Returns the value toward which the state relaxes: F in the filter form, tanh(w/u_0) in the stroke form.
+    /// Returns the value toward which the state relaxes. It is the FV force `force`, N, in the filter form, and
+    /// tanh(w/u_0) in the stroke form. `w` is the oil velocity, m/s, and u_0 the parameter `fsd_velocity`.
     #[inline(always)]
     pub(crate) fn target<R: Real>(&self, force: R, w: R) -> R {
         if self.is_stroke { (w * self.per_velocity).tanh() } else { force }
     }
 
-    /// Computes F_h at a state of the filter form or the stroke form.
+    /// Computes the force F_h, N, of the filter or stroke form. `force` is the FV force, N, and `w` the velocity of the
+    /// oil at the valves, m/s.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, force: R, w: R, state: R) -> R {
         if !self.is_stroke {
@@ -209,7 +216,7 @@ mod tests {
         for force in [-2000.0, -300.0, 300.0, 2000.0] {
             let z = bypass.settles(force);
             assert!(z * force.signum() > 0.95, "{force}: {z}");
-            // An infinitely long implicit step ends at the steady state, where the state derivative is 0.
+            // An implicit step of 1e9 s ends at the steady state, where the state derivative is 0.
             assert!((bypass.filled(force, 0.0, 1e9) - z).abs() < 1e-6);
             assert!(bypass.fills(force, z).abs() < 1e-12);
             // A larger force fills the chamber faster.

@@ -1,4 +1,5 @@
-//! The primary damper: force F_d over velocity of the internal mass (Jonnalagadda & Vyas, KTH 2020, chapter 3).
+//! The primary damper: force F_d of the valves over the velocity of the internal mass (Jonnalagadda & Vyas, KTH 2020,
+//! chapter 3).
 
 use crate::curve::{Above, Curve, Interpolation, MAX_POINTS, Value};
 use crate::element::Prepare;
@@ -9,7 +10,8 @@ use crate::schema::kind::{Many, One};
 use crate::schema::own::own;
 use crate::schema::{Describe, Own, Parameter, View};
 
-/// F_d(v): a table with linear or one of two cubic interpolations, or the piecewise-linear form with knees.
+/// Force F_d(v), N, of the valves over velocity v, m/s (FV curve). It is a table with linear or one of two cubic
+/// interpolations, or a piecewise-linear form with knees.
 #[derive(Clone, Copy, Debug)]
 pub struct FvCurve(pub(crate) Curve);
 
@@ -137,14 +139,14 @@ fn interpolation_of_choice(choice: f64) -> Interpolation {
     }
 }
 
-/// Makes a fault of the FV table, with the list that is wrong: velocities or forces.
+/// Makes the fault of an invalid FV table, which names the wrong list: velocities or forces.
 fn of_table(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if matches!(reason, Reason::NotIncreasing | Reason::TooClose) { VELOCITY } else { FORCE };
     p.fault(row, reason)
 }
 
-/// Makes a fault of the piecewise form. The bounds of the parameters limit the derivatives, so the only expected error
-/// is that two knees are too close.
+/// Makes the fault of an invalid piecewise form. The bounds of the parameters limit the derivatives, so the only
+/// expected error is that two knees are too close.
 fn of_knees(p: &View<FvCurve>, reason: Reason) -> Fault {
     let row = if reason == Reason::TooClose { REBOUND_V[1] } else { REBOUND_C[0] };
     p.fault(row, reason)
@@ -155,7 +157,7 @@ fn check_order(p: &View<FvCurve>) -> Result<(), Fault> {
     if vr2 <= vr1 { Err(p.fault(REBOUND_V[1], Reason::Order)) } else { Ok(()) }
 }
 
-/// Returns the points of the curve given by derivatives and knees.
+/// Returns the velocities, m/s, and the forces, N, of the six points of the piecewise-linear form.
 pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
     let [cr1, cr2, cr3] = REBOUND_C.map(|row| p.number(row));
     let [vr1, vr2] = REBOUND_V.map(|row| p.number(row));
@@ -163,38 +165,39 @@ pub(crate) fn knees(p: &View<FvCurve>) -> ([f64; 6], [f64; 6]) {
     let vc1 = p.number(own!("fv_compression_v1"));
     let (fr1, fc1) = (cr1 * vr1, cc1 * vc1);
     let fr2 = fr1 + cr2 * (vr2 - vr1);
-    // A further point beyond each last knee continues the last derivative outward.
+    // A further point beyond the outermost knee of each stroke continues the curve with the last derivative.
     let v = [-2.0 * vc1, -vc1, 0.0, vr1, vr2, 2.0 * vr2];
     let f = [-fc1 - cc2 * vc1, -fc1, 0.0, fr1, fr2, fr2 + cr3 * vr2];
     (v, f)
 }
 
 impl FvCurve {
-    /// Computes F_d and its derivative at internal velocity `v`.
+    /// Computes the force F_d, N, and its derivative, N s/m, at velocity `v` of the oil, m/s.
     #[inline(always)]
     pub fn evaluate(&self, v: f64) -> Value {
         self.0.evaluate(v)
     }
 
-    /// Computes F_d(v) − F_d(0) with its derivative and curvature; see [`Curve::above_zero`].
+    /// Computes the force relative to standstill, F_d(v) − F_d(0), N, with its derivative and curvature; see
+    /// [`Curve::above_zero`].
     #[inline(always)]
     pub fn above_zero(&self, v: f64) -> Above {
         self.0.above_zero(v)
     }
 
-    /// Returns F_d(0): 0 unless the curve has an offset.
+    /// Returns the force at standstill, F_d(0), N: 0 unless the curve has an offset.
     #[inline(always)]
     pub fn at_zero(&self) -> f64 {
         self.0.at_zero()
     }
 
-    /// Computes the internal velocity `u` with `a u + F_d(u) = r`; see [`Curve::solve`].
+    /// Computes the velocity u, m/s, with `a u + F_d(u) = r`, for `a` in N s/m and `r` in N; see [`Curve::solve`].
     #[inline(always)]
     pub fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         self.0.solve::<STEPS>(a, r)
     }
 
-    /// Returns the first and the last velocity of the points; beyond them the curve is extrapolated linearly.
+    /// Returns the first and the last velocity of the points, m/s; beyond them the curve is extrapolated linearly.
     pub fn range(&self) -> (f64, f64) {
         self.0.range()
     }

@@ -5,7 +5,8 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Constant gas force F = −F_gas: it pushes the rod out and is therefore negative, because tension is positive.
+/// Constant gas force F = −F_gas, N: a positive F_gas pushes the rod out, so F is negative, because tension is
+/// positive.
 #[derive(Clone, Copy, Debug)]
 pub struct GasPreload {
     push: f64,

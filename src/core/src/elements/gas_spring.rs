@@ -8,25 +8,27 @@ use crate::math::{max, power_inlined, relaxation};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Gas spring with the force F = k L (1 − p/p_0) and the gas volume V/V_0 = ξ = 1 + x/L.
+/// Gas spring with the force F = k L (1 − p/p_0), N, and the gas volume V/V_0 = ξ = 1 + x/L.
 ///
-/// p, V and T are pressure, volume and temperature of the gas; the index 0 means at x = 0 and wall temperature. The
-/// constant part of the gas force, −p_0 A_rod with the area A_rod of the rod, is `gas_preload`.
+/// x is the displacement, m. k is the isothermal stiffness at x = 0, N/m, and L the gas volume at x = 0 over the rod
+/// area, m. p, V and T are pressure, volume and temperature of the gas; the index 0 means at x = 0 and wall
+/// temperature. The constant part of the gas force, −p_0 A_rod with the area A_rod of the rod, is `gas_preload`.
 ///
-/// The state is z = p V^γ/(p_0 V_0^γ) − 1, which is constant in adiabatic motion. The gas temperature is θ = T/T_0 = (1
-/// + z) ξ^(1−γ). Heat through the wall, dT/dt = (T_0 − T)/τ at constant volume, gives dz/dt = (ξ^(γ−1) − 1 − z)/τ.
+/// The state is z = p V^γ/(p_0 V_0^γ) − 1, which is constant in adiabatic motion; γ is the adiabatic index. The gas
+/// temperature is θ = T/T_0 = (1 + z) ξ^(1−γ). Heat through the wall, dT/dt = (T_0 − T)/τ at constant volume with the
+/// thermal time τ, gives dz/dt = (ξ^(γ−1) − 1 − z)/τ.
 #[derive(Clone, Copy, Debug)]
 pub struct GasSpring {
-    /// k L.
+    /// Isothermal stiffness k times gas length L, N.
     push: f64,
-    /// 1/L.
+    /// One over the gas length L, 1/m.
     per_length: f64,
-    /// γ − 1.
+    /// Adiabatic index γ, minus 1.
     excess: f64,
-    /// Binomial series of ξ^(γ−1) in a small change of ξ: the ratio of each coefficient to the previous one, last term
-    /// first.
+    /// Binomial series of ξ^(γ−1) in a small change of the relative volume ξ: the ratio of each coefficient to the
+    /// previous one, last term first.
     series: [f64; 4],
-    /// 1/τ.
+    /// One over the thermal time τ, 1/s.
     per_time: f64,
 }
 
@@ -67,16 +69,17 @@ impl Prepare for GasSpring {
     }
 }
 
-/// The gas at one rod displacement: `per_inside` is 1/ξ and `value` is ξ^(γ−1), with ξ clamped to [`SMALLEST`]. `below`
-/// is ξ − [`SMALLEST`] if that is negative, otherwise 0.
+/// The gas at one rod displacement, with the relative volume ξ and the adiabatic index γ. `per_inside` is 1/ξ and
+/// `value` is ξ^(γ−1), with ξ clamped to at least [`SMALLEST`]. `below` is ξ − [`SMALLEST`] if that is negative,
+/// otherwise 0.
 struct Gas {
     below: f64,
     per_inside: f64,
     value: f64,
 }
 
-/// Largest relative change of the gas volume over a step for which a binomial series replaces a second power. The first
-/// neglected term is below 3e-11.
+/// Largest relative change of the gas volume over a step for which a binomial series replaces the second power
+/// function. The first neglected term of the series is below 3e-11.
 const NEAR: f64 = 1.0 / 64.0;
 
 impl GasSpring {
@@ -99,12 +102,14 @@ impl GasSpring {
         Gas { below: ratio - inside, per_inside: 1.0 / inside, value }
     }
 
-    /// Computes [`GasSpring::rests`] at displacement `x`, by a series about `known` if the gas volumes are close.
+    /// Computes [`GasSpring::rests`] at displacement `x`, m, by a series about the gas `known` if both gas volumes are
+    /// close.
     #[inline(always)]
     fn rests_near(&self, known: &Gas, x: f64) -> (f64, f64) {
         let inside = 1.0 + x * self.per_length;
         let change = inside * known.per_inside - 1.0;
-        // Near the smallest volume, the volume at either end may be clamped.
+        // Near the smallest volume, the volume at either end of the step may be clamped, so that the series does not
+        // apply.
         if known.per_inside > (1.0 - NEAR) / SMALLEST || change.abs() > NEAR {
             return self.rests(&self.gas(x));
         }
@@ -116,21 +121,23 @@ impl GasSpring {
         (value, self.excess * value * self.per_length / inside)
     }
 
-    /// Returns the steady state of 1 + z, ξ^(γ−1), and its derivative with respect to displacement.
+    /// Returns ξ^(γ−1), the steady state of 1 + z for the state z, and its derivative with respect to displacement,
+    /// 1/m. Here ξ is the relative gas volume, and γ the adiabatic index.
     #[inline(always)]
     fn rests(&self, at: &Gas) -> (f64, f64) {
         let rises = if at.below < 0.0 { 0.0 } else { self.excess * at.value * at.per_inside * self.per_length };
         (at.value, rises)
     }
 
-    /// Returns the second derivative of the steady state with respect to displacement; `rises` is the first derivative.
+    /// Returns the second derivative of the steady state with respect to displacement, 1/m²; `rises` is the first
+    /// derivative, 1/m.
     #[inline(always)]
     fn bends(&self, at: &Gas, rises: f64) -> f64 {
         if at.below < 0.0 { 0.0 } else { (self.excess - 1.0) * rises * at.per_inside * self.per_length }
     }
 
-    /// Returns the pressure of gas with z = 0, ξ^−γ = 1/(ξ ξ^(γ−1)), relative to p_0, and its derivative with respect
-    /// to displacement.
+    /// Returns the relative pressure ξ^−γ = 1/(ξ ξ^(γ−1)) of gas with the state z = 0, and its derivative with respect
+    /// to displacement, 1/m. Here ξ is the relative gas volume, and γ the adiabatic index.
     #[inline(always)]
     fn pressure(&self, at: &Gas) -> (f64, f64) {
         let value = at.per_inside / at.value;
@@ -139,10 +146,10 @@ impl GasSpring {
     }
 }
 
-/// Returns three weights in the relaxed state: of the target's derivatives at start and end, and of the target's
-/// change.
+/// Returns three weights in the state after relaxation toward a moving target: of the target's derivatives at start and
+/// end, and of its change.
 ///
-/// The argument holds the moments of a relaxation. The target, like the path, is the cubic through the values and
+/// The argument holds the moments from [`relaxation`]. The target, like the path, is the cubic through the values and
 /// derivatives at start and end of the step. The coefficients p_1 to p_3 of the cubic are s, 3 d − 2 s − e and s + e −
 /// 2 d. Here d is the difference of the values. s and e are the derivatives at start and end, times the step length.
 #[inline(always)]
@@ -175,7 +182,7 @@ impl StatefulForce for GasSpring {
         true
     }
 
-    /// Computes state and force after a motion of the mass, exactly for a target that is a cubic in time.
+    /// Computes state and force after a motion of the mass, exactly if the state's target is a cubic in time.
     fn propagate_on_mass(&self, from: Dual<2>, travel: &Travel<Dual<2>>, z: Dual<2>) -> [Dual<2>; 2] {
         let (kept, takes) = relaxation(travel.time * self.per_time);
         let end = from + travel.moved;
@@ -197,7 +204,7 @@ impl StatefulForce for GasSpring {
         self.rests(&self.gas(at.displacement)).0 - 1.0
     }
 
-    /// Computes state and force after the path, exactly for a target that is a cubic in time.
+    /// Computes state and force after the path, exactly if the state's target is a cubic in time.
     #[inline(always)]
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let h = path.length();
@@ -230,8 +237,8 @@ mod tests {
     fn a_small_change_of_volume_is_as_exact_as_a_power() {
         for excess in [0.01, 0.1, 0.3, 0.4, 0.67] {
             let spring = GasSpring::new(2.5, 0.4, 1.0 + excess, 1.0);
-            // The volumes range from far below the smallest to four times the reference, with changes on both sides of
-            // `NEAR`.
+            // The volumes range from far below the smallest allowed volume to four times that at x = 0, with changes on
+            // both sides of `NEAR`.
             for volume in [-0.5, 0.0, 0.049, 0.05, 0.0503, 0.0508, 0.051, 0.06, 0.3, 1.0, 4.0] {
                 for change in [-0.5, -0.0157, -0.0156, -1e-3, -1e-9, 0.0, 1e-9, 1e-3, 0.0156, 0.0157, 0.5] {
                     let place = |volume: f64| (volume - 1.0) / spring.per_length;

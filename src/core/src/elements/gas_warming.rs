@@ -5,8 +5,8 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Additional gas force F = −c (T − T_0): T is the temperature from the host, T_0 the reference temperature of the gas
-/// force.
+/// Additional gas force F = −c (T − T_0), N, with the growth c, N/K. T is the temperature from the host, and T_0 that
+/// at which this force is 0.
 ///
 /// The pressure of an enclosed gas grows with its absolute temperature, 0.34 % per kelvin at 20 °C. The expansion of
 /// the oil compresses the gas and doubles the effect in a monotube (Dixon, *The Shock Absorber Handbook*, 2007, ch. 5).

@@ -9,10 +9,12 @@ use crate::schema::kind::One;
 use crate::schema::own::own;
 use crate::schema::{Describe, Own, Parameter, View};
 
-/// Lagged polynomial with the force F = y and the state equation T(|v|) dy/dt + y = Σ a_k v^k.
+/// Lagged polynomial with the force F = y, N, and the state equation T(|v|) dy/dt + y = Σ a_k v^k; v is the velocity,
+/// m/s.
 ///
-/// The time constant T ramps from `lag_slow` at and below speed `lag_v1` to `lag_fast` at and above `lag_v2`. According
-/// to Jonnalagadda & Vyas (KTH 2020), a jump instead of the ramp makes the model unstable.
+/// a_k are the coefficients of the list `polynomial`. The time constant T ramps from `lag_slow` at and below speed
+/// `lag_v1` to `lag_fast` at and above `lag_v2`. According to Jonnalagadda & Vyas (KTH 2020), a jump instead of the
+/// ramp makes the model unstable.
 #[derive(Clone, Copy, Debug)]
 pub struct LaggedPolynomial {
     a: [f64; MAX_TERMS],
@@ -24,7 +26,8 @@ pub struct LaggedPolynomial {
 
 const V2: Own<LaggedPolynomial, One> = Own::named("lag_v2");
 const MAX_TERMS: usize = 12;
-/// Number of parts of a step. In each part, the mean over the part replaces the relaxation rate 1/T.
+/// Number of parts of a step. In each part, the mean of the relaxation rate over the part replaces the rate, one over
+/// the time constant.
 const PARTS: usize = 4;
 
 impl Describe for LaggedPolynomial {
@@ -63,7 +66,7 @@ impl Prepare for LaggedPolynomial {
 }
 
 impl LaggedPolynomial {
-    /// Computes Σ a_k v^k and its derivative.
+    /// Computes the polynomial Σ a_k v^k, N, at velocity `v`, m/s, and its derivative, N s/m.
     fn polynomial(&self, v: f64) -> (f64, f64) {
         let (mut value, mut derivative) = (0.0, 0.0);
         for a in self.a.iter().rev() {
@@ -73,7 +76,8 @@ impl LaggedPolynomial {
         (value, derivative)
     }
 
-    /// Computes the state y at the end of the path, which ends at displacement `x1` with velocity `v1`.
+    /// Computes the state, the lagged force, N, at the end of the path from its start value `y`. The path ends at
+    /// displacement `x1`, m, with velocity `v1`, m/s.
     #[inline(always)]
     fn after<R: Real>(&self, path: &Path, x1: R, v1: R, y: f64) -> R {
         let [p0, p1, p2] = path.travel(x1, v1).velocity();
@@ -92,7 +96,8 @@ impl LaggedPolynomial {
             let rate = (first.1 + middle.1 * 4.0 + last.1) * sixth;
             let r = rate.value();
             let (kept, takes) = relaxation(r);
-            // The derivative of a moment M_k with respect to r is M_k/r − M_k + M_{k+1}.
+            // The derivative of the k-th relaxation moment M_k with respect to r, the rate times the part, is M_k/r −
+            // M_k + M_{k+1}.
             let take = |k: usize| rate.chain(takes[k], takes[k] / r - takes[k] + takes[k + 1]);
             let rise = last.0 - first.0;
             let bend = (first.0 + last.0 - middle.0 * 2.0) * 2.0;
@@ -102,7 +107,7 @@ impl LaggedPolynomial {
         y
     }
 
-    /// Returns the time constant and its derivative with respect to velocity.
+    /// Returns the time constant, s, at velocity `v`, m/s, and its derivative with respect to velocity, s²/m.
     fn time_constant(&self, v: f64) -> (f64, f64) {
         let speed = v.abs();
         if speed <= self.v1 {
@@ -137,8 +142,9 @@ impl StatefulForce for LaggedPolynomial {
     /// Computes state and force after the path, in [`PARTS`] parts. The solution is exact for the mean rate of each
     /// part and the parabola through its target values.
     ///
-    /// For any change of the time constant, y stays between its start value and its target values. (A Runge–Kutta
-    /// method that is stable for every constant rate may be unstable for a rate that changes a thousandfold.)
+    /// However the time constant changes, the state y stays between its start value and its target values. (A
+    /// Runge–Kutta method that is stable for every constant rate may be unstable for a rate that changes a
+    /// thousandfold.)
     fn propagate(&self, path: &Path, y: f64, derivatives: bool) -> Option<EndState> {
         let (x1, v1) = path.end();
         let after = if derivatives {

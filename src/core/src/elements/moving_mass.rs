@@ -1,7 +1,7 @@
 //! Moving mass between load cell and damper, or oil in a long passage.
 //!
-//! In the first case, the eye, clamp and tube move with the load cell. In the second case, the piston accelerates the
-//! oil.
+//! In the first case, the eye, the clamp and a tube of the damper move with the load cell. In the second case, the
+//! piston accelerates the oil.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -13,8 +13,9 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Moving mass with the force F = M (v − z)/τ and the state equation dz/dt = (v − z)/τ.
 ///
-/// Hosts give displacement and velocity but no acceleration. Therefore a stiff damper M/τ drives the mass, which has
-/// the velocity z. This damper only dissipates energy, and the force lags that of an ideal mass by τ.
+/// M is the mass, kg, and v the velocity of the point that moves it, m/s. Hosts give displacement and velocity but no
+/// acceleration. Therefore a stiff damper M/τ drives the mass, which has the velocity z. This damper only dissipates
+/// energy, and the force lags that of an ideal mass by the time τ, s.
 ///
 /// *Inside*: M moves with the piston, behind the series stiffness, as a part of the internal mass. Oil of mass m in a
 /// passage of area a counts as M = m (A/a)² with the piston area A. Without a series stiffness the piston moves with the
@@ -22,9 +23,9 @@ use crate::schema::{Describe, Parameter, View};
 #[derive(Clone, Copy, Debug)]
 pub struct MovingMass {
     is_inside: bool,
-    /// M/τ.
+    /// Mass over its lag, M/τ, N s/m.
     damping: f64,
-    /// 1/τ.
+    /// One over the lag, 1/τ, 1/s.
     per_time: f64,
 }
 
@@ -61,7 +62,7 @@ impl Prepare for MovingMass {
 }
 
 impl MovingMass {
-    /// Adds a moving mass inside the damper to the internal mass.
+    /// Adds a moving mass inside the damper to the `internal` mass, kg; the element then has no force of its own.
     pub(crate) fn join(&mut self, internal: &mut f64) {
         if self.is_inside {
             *internal += self.damping / self.per_time;
@@ -69,22 +70,24 @@ impl MovingMass {
         }
     }
 
-    /// Returns the coefficients of the velocity p_0 + p_1 θ + p_2 θ² over the fraction θ of a step. The velocity at both ends
-    /// is that of the host.
+    /// Returns the coefficients, m/s, of the velocity p_0 + p_1 θ + p_2 θ² over the fraction θ of a step. The velocity
+    /// at both ends of the step is that of the host.
     ///
     /// Inertia follows from velocities. The displacement over the step gives the mean velocity and thus the curvature
-    /// p_2. The curvature is limited to the change of the acceleration since the start of the step, where the
-    /// acceleration was (v_0 − z)/τ. If the host samples a given motion, the limit does not reduce the order of accuracy.
-    /// A semi-implicit host advances displacement with the velocity at one end of the step. Without the limit, that
-    /// displacement would imply a curvature of three times the change of velocity: 2 kg would act as −2 or as 6 kg.
+    /// p_2. The curvature is limited to the change of the acceleration since the start of the step. The acceleration
+    /// was then (v_0 − z)/τ, with the host's velocity v_0, the velocity `z` of the mass and its lag τ. If the host
+    /// samples a given motion, the limit does not reduce the order of accuracy. A semi-implicit host advances
+    /// displacement with the velocity at one end of the step. Without the limit, that displacement would imply a
+    /// curvature of three times the change of velocity. A mass of 2 kg would act as −2 or as 6 kg.
     ///
-    /// If nanometers of displacement decide whether the limit applies, the derivatives are one-sided. They are those of
-    /// the linear velocity, or of the limit if the limit is equally small.
+    /// For a curvature that 1 nm of displacement would cause, rounding decides whether the limit applies. The
+    /// derivatives are then those of the linear velocity. If the limit is also this small, the derivatives are those of
+    /// the limit.
     #[inline(always)]
     fn velocity<R: Real>(&self, path: &Path, z: f64, x1: R, v1: R) -> [R; 3] {
         let [start, _, by_displacement] = path.travel(x1, v1).velocity();
         let change = v1 - start;
-        // The displacement of such a path is the integral of its velocity, so it contains no further information.
+        // The displacement of an integrated path is the integral of a linear velocity, so it contains no curvature.
         if path.is_integrated() {
             return [start, change, R::constant(0.0)];
         }
@@ -106,8 +109,8 @@ impl MovingMass {
     }
 }
 
-/// Largest difference of displacements, m, that counts as zero. It is below the precision of a host and below the change
-/// between two iterates of the host's solver.
+/// Largest difference of displacements, m, that counts as zero. It is below the precision of a host's displacement, and
+/// below its change between two iterates of the host's solver.
 const NEAR: f64 = 1e-9;
 
 impl StatefulForce for MovingMass {
@@ -128,7 +131,7 @@ impl StatefulForce for MovingMass {
         at.velocity
     }
 
-    /// Computes state and force after the path, exactly for the quadratic velocity of [`MovingMass::velocity`].
+    /// Computes state and force at the end of the path, exactly for the quadratic velocity of [`MovingMass::velocity`].
     fn propagate(&self, path: &Path, z: f64, derivatives: bool) -> Option<EndState> {
         let (kept, takes) = relaxation(path.length() * self.per_time);
         let (x1, v1) = path.end();

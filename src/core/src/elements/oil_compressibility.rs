@@ -6,44 +6,48 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Compressible oil column with the equations F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h.
+/// Compressible oil column with the equations F_h = k_o q, ℓ dq/dt = u − w, F_d(w) = F_h, where F_d is the FV curve.
 ///
-/// q is the deflection of the column, and k_o its stiffness. The velocity w at the valves is the piston velocity u
-/// minus the deflection rate of the oil column.
+/// F_h is the hydraulic force, N. q is the deflection of the column, m, and k_o its stiffness, N/m. The velocity w at
+/// the valves is the piston velocity u minus the deflection rate of the oil column.
 ///
-/// ℓ is the length of the column relative to that at displacement x = 0, and λ one over its length there. The rebound
-/// chamber becomes shorter with extension: ℓ = 1 − λ x. With two chambers, the chamber under pressure deflects: ℓ = 1 −
-/// λ x q/√(q² + q_c²). For a negative q this is the compression chamber, which becomes longer with extension.
+/// ℓ is the length of the column relative to that at displacement x = 0, and λ, 1/m, one over its length there. The
+/// rebound chamber becomes shorter with extension: ℓ = 1 − λ x. With two chambers, the chamber under pressure deflects:
+/// ℓ = 1 − λ x q/√(q² + q_c²). For a negative q the compression chamber is under pressure, which becomes longer with
+/// extension. q_c is a small deflection over which the length changes smoothly between the chambers.
 ///
 /// With one chamber, the state is q, which stays constant while the chamber moves under constant pressure. With two
-/// chambers, the state is the part of the piston stroke that the oil absorbs, s = ∫ ℓ dq from 0 at displacement x:
+/// chambers, the state is the part of the piston stroke that the oil absorbs, s = ∫ ℓ dq from 0 at displacement x. v is
+/// the velocity of the moving end, dx/dt:
 ///
 /// ```text
 /// ds/dt = u − w + v ∂s/∂x
 /// ```
 ///
-/// With q as the state, a stage would solve ℓ(q) (q − Q)/g = u − w. The left side falls with q where the longer chamber
-/// begins to act, so there are three solutions. Stages on both sides of rest would also combine to a state that is
-/// wrong on both sides.
+/// With q as the state, an implicit stage would solve ℓ(q) (q − Q)/g = u − w. Q is the known part of q, and g, s, the
+/// weight of dq/dt in the stage. The left side falls with q where the longer chamber begins to act, so there are three
+/// solutions. Stages on both sides of rest would also combine to a state that is wrong on both sides.
 ///
-/// In compression k_o is r_o times that in rebound. In a twin tube the damper force acts on the oil below the piston
-/// through the rod area alone. That oil therefore deflects more under the same force than the oil above.
+/// In compression k_o is r_o times that in rebound. In a twin tube, the force in compression acts on the oil below the
+/// piston through the rod area alone. The oil below therefore deflects more under the same force than the oil above.
 ///
-/// The cylinder expansion is included: 1/k_o = 1/k_oil + 1/k_tube. No rig test can separate the two terms. The series
-/// compliance is separate, because it carries the force of the springs on the mass, which the oil does not.
+/// The cylinder expansion is included: 1/k_o is the compliance of the oil plus that of the tube. No rig test can
+/// separate the two. The series compliance is a separate element, because it also carries the force of the springs on
+/// the internal mass. The oil does not carry that force.
 #[derive(Clone, Copy, Debug)]
 pub struct OilCompressibility {
-    /// 1/k_o in rebound and in compression, m/N.
+    /// Compliance of the oil column at zero displacement, 1/k_o, in rebound and in compression, m/N.
     compliance: [f64; 2],
     shortening: f64,
     has_two_chambers: bool,
-    /// q_c.
+    /// Deflection q_c, m, over which the length changes smoothly between the two chambers.
     changes: f64,
 }
 
-/// q_c is the deflection of the stiffer chamber under this force, N: far below all forces that matter.
+/// Force, N, on the stiffer chamber over which the column changes smoothly from one chamber to the other. It is far
+/// below all forces that matter.
 const CHANGES: f64 = 50.0;
-/// Smallest ℓ.
+/// Smallest relative length of a chamber, at which its length is clamped.
 const SHORTEST: f64 = 0.1;
 
 impl Describe for OilCompressibility {
@@ -80,7 +84,8 @@ impl Describe for OilCompressibility {
 }
 
 impl Prepare for OilCompressibility {
-    /// An oil column ten times stiffer than most, so that its own effect is small compared with that of air in the oil.
+    /// An oil column of 3e7 N/m for models with aeration alone. It is ten times stiffer than that of most dampers, so
+    /// its effect is small compared with that of the air.
     const OFF: Self =
         OilCompressibility { compliance: [1.0 / 3e7; 2], shortening: 0.0, has_two_chambers: false, changes: 1.0 };
 
@@ -97,8 +102,8 @@ impl Prepare for OilCompressibility {
 }
 
 impl OilCompressibility {
-    /// Returns 1/k_o of the chamber under pressure: that in compression for a negative `side`, otherwise in rebound.
-    /// `side` is the force or the deflection, which have the same sign.
+    /// Returns the compliance of the oil column, 1/k_o, m/N: that in compression for a negative `side`, otherwise that
+    /// in rebound. `side` is the force or the deflection, which have the same sign.
     #[inline(always)]
     pub(crate) fn compliance(&self, side: f64) -> f64 {
         let [rebound, compression] = self.compliance;
@@ -111,13 +116,14 @@ impl OilCompressibility {
         rebound == compression
     }
 
-    /// Returns whether the stiffness depends on the displacement.
+    /// Returns whether the length of the column, and thus its stiffness, depends on the displacement.
     #[inline(always)]
     pub(crate) fn has_length(&self) -> bool {
         self.shortening != 0.0
     }
 
-    /// Returns ℓ of the rebound chamber and, with two chambers, ℓ of the compression chamber.
+    /// Returns the relative lengths of the rebound and the compression chamber at displacement `x`, m; they are 1 at
+    /// zero displacement. With one chamber, both are that of the rebound chamber.
     #[inline(always)]
     fn lengths<R: Real>(&self, x: R) -> [R; 2] {
         let within = |length: R| if length.value() > SHORTEST { length } else { R::constant(SHORTEST) };
@@ -126,33 +132,33 @@ impl OilCompressibility {
         [rebound, if self.has_two_chambers { within(away.plus(1.0)) } else { rebound }]
     }
 
-    /// Computes ∫ q/√(q² + q_c²) dq from 0: |q| − q_c for deflections far above q_c.
+    /// Computes √(q² + q_c²) − q_c, m, for the deflection q: nearly |q| − q_c if |q| is far above q_c.
     #[inline(always)]
     fn size<R: Real>(&self, deflection: R) -> R {
         (deflection * deflection).plus(self.changes * self.changes).sqrt().plus(-self.changes)
     }
 
-    /// Returns whether the state is s instead of q.
+    /// Returns whether the state is the absorbed part s of the piston stroke instead of the deflection q.
     #[inline(always)]
     pub(crate) fn counts_stroke(&self) -> bool {
         self.has_two_chambers && self.has_length()
     }
 
-    /// Returns ℓ of a single chamber.
+    /// Returns the length of a single chamber at displacement `x`, m, relative to that at x = 0.
     #[inline(always)]
     pub(crate) fn length<R: Real>(&self, x: R) -> R {
         let [length, _] = self.lengths(x);
         length
     }
 
-    /// Computes s, the part of the piston stroke that the oil absorbs.
+    /// Computes s, m, the part of the piston stroke that the oil absorbs, at displacement `x`, m, and deflection q, m.
     #[inline(always)]
     pub(crate) fn taken_up<R: Real>(&self, x: R, deflection: R) -> R {
         let [rebound, compression] = self.lengths(x);
         ((rebound + compression) * deflection + (rebound - compression) * self.size(deflection)) * 0.5
     }
 
-    /// Computes ∂s/∂x at constant q.
+    /// Computes ∂s/∂x at constant deflection q, for the part s of the piston stroke that the oil absorbs.
     #[inline(always)]
     pub(crate) fn taken_up_by_place<R: Real>(&self, x: R, deflection: R) -> R {
         let [rebound, compression] = self.lengths(x).map(|length| length.value() > SHORTEST);
@@ -161,8 +167,9 @@ impl OilCompressibility {
         deflection * (by_rebound + by_compression) + self.size(deflection) * (by_rebound - by_compression)
     }
 
-    /// Returns the deflection q for the state s, the only root of (a + b) q + (a − b)(√(q² + q_c²) − q_c) = 2 s. Here a
-    /// and b are ℓ of the rebound and of the compression chamber.
+    /// Returns the deflection q, m, for the absorbed stroke s = `taken_up`, m, the only root of (a + b) q + (a −
+    /// b)(√(q² + q_c²) − q_c) = 2 s. Here a and b are the relative lengths of the rebound and the compression chamber
+    /// at displacement `x`, and q_c is `changes`.
     #[inline(always)]
     pub(crate) fn deflection<R: Real>(&self, x: R, taken_up: R) -> R {
         let [rebound, compression] = self.lengths(x);

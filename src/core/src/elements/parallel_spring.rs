@@ -11,10 +11,11 @@ use crate::tables::{Lookup, Owned, Tables};
 
 /// Parallel spring with the force F_p(x) = k1 x + k2 x|x| + k3 x³ + k4 x³|x| + lookup(x).
 ///
-/// Jonnalagadda & Vyas (KTH 2020) try one term at a time and choose the quadratic one.
+/// x is the displacement of the internal mass, m, and lookup(x) a curve through given points, N. Jonnalagadda & Vyas
+/// (KTH 2020) try one term at a time and choose the quadratic one.
 #[derive(Clone, Copy, Debug)]
 pub struct ParallelSpring<T: Tables = Owned> {
-    /// For each power of |x|: the coefficients in F_p / x and in F_p', so that both are evaluated in parallel.
+    /// For each power 0 to 3 of |x|: the coefficients in F_p/x and in dF_p/dx, which are evaluated in parallel.
     k: [[f64; 2]; 4],
     /// Whether the cubic or the quartic coefficient is not 0.
     has_higher: bool,
@@ -22,7 +23,7 @@ pub struct ParallelSpring<T: Tables = Owned> {
     has_lookup: bool,
 }
 
-/// Parameters of the coefficients k1 to k4, by power of |x|.
+/// Parameters of the spring's coefficients k1 (linear) to k4 (quartic).
 const POWERS: [Own<ParallelSpring, One>; 4] = [
     Own::named("spring_linear"),
     Own::named("spring_quadratic"),
@@ -94,7 +95,7 @@ impl Prepare for ParallelSpring {
     }
 }
 
-/// Makes a fault of the lookup table, with the list that is wrong: displacements or forces.
+/// Makes the fault of an invalid lookup table, which names the wrong list: displacements or forces.
 fn of_table(p: &View<ParallelSpring>, reason: Reason) -> Fault {
     let on_x = matches!(reason, Reason::NotIncreasing | Reason::TooClose);
     p.fault(if on_x { DISPLACEMENT } else { FORCE }, reason)
@@ -133,14 +134,14 @@ impl<T: Tables> ParallelSpring<T> {
         &self.lookup
     }
 
-    /// Sets the coefficients of the powers of |x|; the lookup table does not change.
+    /// Sets the coefficients of the linear to quartic terms; the lookup table does not change.
     pub(crate) fn set_powers(&mut self, p: &View<ParallelSpring>) {
         let k = POWERS.map(|power| p.number(power));
         self.k = [0, 1, 2, 3].map(|power| [k[power], (power + 1) as f64 * k[power]]);
         self.has_higher = self.k[2][0] != 0.0 || self.k[3][0] != 0.0;
     }
 
-    /// Computes the force of the linear and the quadratic term at displacement `x`.
+    /// Computes the force of the linear and the quadratic term at displacement `x`, m.
     #[inline(always)]
     fn even(&self, x: f64) -> Response {
         let [k1, k2, ..] = self.k;
@@ -148,8 +149,8 @@ impl<T: Tables> ParallelSpring<T> {
         Response { force: x * secant, d_force_d_x: by_x, d_force_d_v: 0.0 }
     }
 
-    /// Computes the force of all terms and the lookup table at displacement `x`. Not inlined, because most springs have
-    /// neither higher terms nor a table.
+    /// Computes the force of all terms and the lookup table at displacement `x`, m. Not inlined, because most springs
+    /// have neither higher terms nor a table.
     #[inline(never)]
     fn bent(&self, x: f64) -> Response {
         let r = x.abs();

@@ -8,12 +8,14 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Damping that differs in a zone of the stroke, as a factor on the force or as a bypass groove.
 ///
-/// The zone has the profile p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] over the moving end's displacement x.
+/// The zone has the profile p(x) = ½ [tanh((x − c + w)/b) − tanh((x − c − w)/b)] over the moving end's displacement x,
+/// m. c is the center of the zone, w half its length, and b the length over which it fades out.
 ///
-/// *Factor*: F_d is multiplied by s(x) = 1 − a p(x).
+/// *Factor*: the FV force F_d is multiplied by s(x) = 1 − a p(x), where a is the fraction that is missing in the zone.
 ///
-/// *Groove*: oil bypasses the valves with the velocity q_b p(x) r(F_h)/√(1 kN). Above a few newtons this is nearly
-/// proportional to √F_h; see [`crate::paths::bypass`].
+/// *Groove*: oil bypasses the valves with the piston velocity q_b p(x) r(F_h)/√(1 kN), so q_b is that at 1 kN. Far
+/// above 20 N it is nearly proportional to the root of the hydraulic force F_h; for the law r see
+/// [`crate::paths::bypass`].
 #[derive(Clone, Copy, Debug)]
 pub struct PositionDependentDamping {
     pub(crate) is_groove: bool,
@@ -79,33 +81,35 @@ impl Prepare for PositionDependentDamping {
 }
 
 impl PositionDependentDamping {
-    /// Computes the factor s(x) on the rebound or the compression stroke; 1 on a stroke without the zone.
+    /// Computes the factor s(x) on the FV force in rebound or compression at displacement `x`, m. It is 1 on a stroke
+    /// on which the zone does not act.
     #[inline(always)]
     pub(crate) fn factor<R: Real>(&self, x: R, rebound: bool) -> R {
         if self.acts[usize::from(rebound)] { self.window(x) } else { R::constant(1.0) }
     }
 
-    /// Computes the factors s(x) on the compression and on the rebound stroke; 1 on a stroke without the zone.
+    /// Computes the factors s(x) on the FV force in compression and in rebound at displacement `x`, m. A factor is 1 on
+    /// a stroke on which the zone does not act.
     #[inline(always)]
     pub(crate) fn factors<R: Real>(&self, x: R) -> [R; 2] {
         let window = self.window(x);
         self.acts.map(|acts| if acts { window } else { R::constant(1.0) })
     }
 
-    /// Computes the flow through the groove at a force of 1 kN, as a piston velocity in m/s; 0 on a stroke without the
-    /// zone.
+    /// Computes the flow through the groove at a hydraulic force of 1 kN, as a piston velocity in m/s. It is 0 on a
+    /// stroke on which the zone does not act.
     #[inline(always)]
     pub(crate) fn groove<R: Real>(&self, x: R, rebound: bool) -> R {
         if self.acts[usize::from(rebound)] { self.zone(x) * self.flow } else { R::constant(0.0) }
     }
 
-    /// Computes the factor s(x) on a stroke on which the zone acts.
+    /// Computes the factor s(x) on the FV force, on a stroke on which the zone acts.
     #[inline(always)]
     fn window<R: Real>(&self, x: R) -> R {
         (-(self.zone(x) * self.share)).plus(1.0)
     }
 
-    /// Computes the profile p(x) of the zone, from 0 to 1.
+    /// Computes the profile p(x) of the zone, from 0 outside to 1 inside, at displacement `x`, m.
     #[inline(always)]
     fn zone<R: Real>(&self, x: R) -> R {
         let from = x.plus(-self.centre);

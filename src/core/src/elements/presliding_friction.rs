@@ -1,5 +1,5 @@
-//! Presliding friction: contacts that deflect before they slide (Dahl). The seal lip and the rod guide cause it after
-//! every reversal.
+//! Presliding friction: contacts that deflect before they slide (Dahl), as seal lip and rod guide do after every
+//! reversal.
 
 use crate::dual::{Dual, Real};
 use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
@@ -9,25 +9,26 @@ use crate::math::{max, min, power};
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Presliding friction with the force F = F_c z/z_0, where dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
+/// Presliding friction with the force F = F_c z/z_0, N, where dz/dt = v − |v|_c (z/z_0) |z/z_0|^(n−1).
 ///
-/// z is the deflection of the contact; in this file, ζ is the relative deflection z/z_0.
-/// The force reverses within a displacement of a few z_0 at any velocity. With n = 1 (Dahl) the contact slips from the
-/// start; with a larger n it first deflects elastically. With an elastic return, a deflected contact does not slip
-/// during unloading (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²). Below the velocity v_c the contact creeps, and the
-/// friction of a long slow motion is less than F_c.
+/// z is the deflection of the contact, m, and v the sliding velocity, m/s. F_c is the friction level after long travel,
+/// and z_0 the deflection that belongs to it. In this file, ζ is the relative deflection z/z_0. The force reverses
+/// within a displacement of a few z_0 at any velocity. With n = 1 (Dahl) the contact slips from the start; with a
+/// larger n it first deflects elastically. With an elastic return, a deflected contact does not slip during unloading
+/// (Bouc and Wen with β = γ). |v|_c = √(v² + v_c²). Below the velocity v_c the contact creeps, and the friction of a
+/// long slow motion is less than F_c.
 #[derive(Clone, Copy, Debug)]
 pub struct PreslidingFriction {
-    /// F_c/z_0.
+    /// Stiffness of the contact, F_c/z_0, N/m: friction level over the deflection that belongs to it.
     stiffness: f64,
-    /// z_0.
+    /// Deflection z_0 of the contact at the full friction level, m.
     length: f64,
-    /// 1/z_0.
+    /// One over the deflection z_0 at the full friction level, 1/m.
     per_length: f64,
-    /// n − 1.
+    /// Exponent n of the law of the contact, minus 1.
     power: f64,
     returns_elastically: bool,
-    /// v_c².
+    /// Square of the creep velocity v_c, m²/s².
     creep_squared: f64,
 }
 
@@ -81,27 +82,29 @@ impl Prepare for PreslidingFriction {
     }
 }
 
-/// Number of integration steps over a stretch of motion in one direction, if the law of the contact has no closed form.
+/// Number of integration steps over a stretch of motion in one direction, if the law of the friction contact has no
+/// closed form.
 const PARTS: usize = 4;
-/// Speed relative to the creep velocity above which creep is neglected. The relative error of the slip is half the
+/// Ratio of speed to creep velocity above which creep is neglected. The relative error of the slip is then half the
 /// inverse square of this ratio.
 const FAST: f64 = 1e6;
 
-/// Largest relative difference between ζ and its steady state at which the law is linearized. The error is the square
-/// of this difference.
+/// Largest relative difference between the relative deflection ζ and its steady state at which the law is linearized.
+/// The relative error is about the square of this difference.
 const NEAR: f64 = 1e-3;
 
-/// Computes ζ^exponent for ζ ≥ 0; ζ is `size`.
+/// Computes `size` to the power of `exponent`, for a relative deflection `size` of at least 0.
 fn raised<R: Real>(size: R, exponent: f64) -> R {
     let at = size.value();
     let value = if at > 0.0 { power(at, exponent) } else { 0.0 };
     size.chain(value, if at > 0.0 { exponent * value / at } else { 0.0 })
 }
 
-/// Solves dζ/dσ = r − c ζ over the slip σ from the initial ζ `bent`, and returns the final ζ. `decay` is c.
+/// Solves dζ/dσ = r − c ζ from the relative deflection ζ = `bent` over the slip σ = `slip`, and returns the final ζ.
+/// `r` is the ratio of displacement to slip, and `decay` is c.
 fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
     let through = decay * slip;
-    // (1 − e^−cσ)/cσ: the effective fraction of the slip.
+    // This is (1 − e^−cσ)/(cσ), with its series near 0: the effective fraction of the slip.
     let fraction = if through.value() > 1e-4 {
         (-(-through).exp()).plus(1.0) * through.inverse()
     } else {
@@ -111,9 +114,10 @@ fn relaxed<R: Real>(bent: R, r: R, decay: R, slip: R) -> R {
 }
 
 impl PreslidingFriction {
-    /// Solves dζ/dσ = r − ζ|ζ|^(n−1) over the slip σ, in units of z_0, and returns the final ζ.
+    /// Solves dζ/dσ = r − ζ|ζ|^(n−1) for the relative deflection ζ = z/z_0 over the slip σ, in units of z_0, and
+    /// returns the final ζ.
     ///
-    /// `bent` is the initial ζ. r is the ratio of displacement to slip: ±1, or less where the contact creeps.
+    /// `bent` is the initial ζ. `r` is the ratio of displacement to slip: ±1, or closer to 0 where the contact creeps.
     /// ζ never crosses its steady state, so the deflection stays bounded for any slip.
     #[inline(never)]
     fn bend<R: Real>(&self, bent: R, r: R, slip: R) -> R {
@@ -135,9 +139,10 @@ impl PreslidingFriction {
             let derivative = if size > 0.0 { level / (size * (1.0 + self.power)) } else { 0.0 };
             r.chain(level.copysign(r.value()), derivative)
         };
-        // Without displacement, r and the steady state are 0, and the law cannot be divided by them.
+        // Without displacement, the ratio r and the steady state `level` are 0, and the division by `level` below is
+        // impossible.
         if level.value() != 0.0 && (bent.value() - level.value()).abs() <= NEAR * level.value().abs() {
-            // Near the steady state `level`, the decay rate is constant: |level|^(n−1) = r/level.
+            // Near the steady state `level`, the law is linear with a constant decay rate: n |level|^(n−1) = n r/level.
             let decay = (r * level.inverse()) * (1.0 + self.power);
             return level + (bent - level) * (-(decay * slip)).exp();
         }
@@ -145,9 +150,9 @@ impl PreslidingFriction {
         let below = bent.value() < level.value();
         let highest = max(bent.value().abs(), level.value().abs());
         for _ in 0..PARTS {
-            // The decay rate of ζ is |ζ|^(n−1), evaluated in the middle of the part. With the rate at the start of the
-            // part, an undeflected contact would not decay. The force would then jump between n = 1, which has an exact
-            // closed form, and larger n.
+            // The decay rate of the relative deflection ζ is |ζ|^(n−1), evaluated in the middle of the part. With the
+            // rate at the start of the part, an undeflected contact would not decay. The force would then jump between
+            // n = 1, which has an exact closed form, and larger n.
             let start = bent.abs();
             let halfway = relaxed(bent, r, raised(start, self.power), part * 0.5);
             let middle = if halfway.value().abs() > highest { R::constant(highest) } else { halfway.abs() };
@@ -159,10 +164,10 @@ impl PreslidingFriction {
         bent
     }
 
-    /// Computes ζ after a stretch of the path in one direction.
+    /// Computes the relative deflection ζ after a stretch of the path in one direction.
     ///
-    /// The arguments are the initial ζ, the displacement over the stretch, the velocities at its start, middle and end,
-    /// and its duration.
+    /// The arguments are the initial ζ, the displacement over the stretch, m, the velocities at its start, middle and
+    /// end, m/s, and its duration, s.
     #[inline(always)]
     fn along<R: Real>(&self, bent: R, moved: R, velocity: [R; 3], time: R) -> R {
         let moved = moved * self.per_length;
@@ -175,10 +180,11 @@ impl PreslidingFriction {
         self.creeps(bent, moved, velocity, time)
     }
 
-    /// Computes ζ after a stretch in which creep matters.
+    /// Computes the relative deflection ζ after a stretch of the path in which creep matters; `moved` is in units of
+    /// z_0.
     #[inline(never)]
     fn creeps<R: Real>(&self, bent: R, moved: R, [first, middle, last]: [R; 3], time: R) -> R {
-        // The slip is the integral of |v|_c over time, by Simpson's rule.
+        // The slip is the integral of the speed √(v² + v_c²) over time, by Simpson's rule.
         let creeps = |v: R| (v * v).plus(self.creep_squared).sqrt();
         let sum = creeps(first) + creeps(middle) * 4.0 + creeps(last);
         let slip = sum * (time * (self.per_length / 6.0));
@@ -189,7 +195,7 @@ impl PreslidingFriction {
         self.bend(bent, moved * slip.inverse(), slip)
     }
 
-    /// Computes ζ after the motion over a step; `bent` is the initial ζ.
+    /// Computes the relative deflection ζ after the motion `travel`; `bent` is the initial ζ.
     #[inline(always)]
     fn after<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let Travel { moved, v0: first, v1: last, time, .. } = *travel;
@@ -205,18 +211,19 @@ impl PreslidingFriction {
         self.turns(travel, bent)
     }
 
-    /// Computes ζ after a motion that may reverse, one stretch in one direction after the other.
+    /// Computes the relative deflection ζ after a motion that may reverse, one stretch in one direction after the
+    /// other.
     #[inline(never)]
     fn turns<R: Real>(&self, travel: &Travel<R>, bent: R) -> R {
         let velocity = travel.velocity();
         let [p0, p1, p2] = velocity;
         let speed = |theta: R| p0 + (p1 + p2 * theta) * theta;
         let (none, all) = (R::constant(0.0), R::constant(1.0));
-        // Zeros of p_0 + p_1 θ + p_2 θ², computed without cancellation.
+        // Zeros of the velocity p_0 + p_1 θ + p_2 θ² over the fraction θ of the step, computed without cancellation.
         let half = p1 * -0.5;
         let square = half * half - p0 * p2;
         let mut turns = [none; 2];
-        // Below this discriminant the motion is negligible, and the derivatives of the zeros would overflow.
+        // Below this discriminant the velocity is negligible, and the derivatives of its zeros would overflow.
         if square.value() > 1e-200 {
             let root = square.sqrt();
             let q = if half.value() < 0.0 { half - root } else { half + root };
@@ -274,7 +281,8 @@ impl StatefulForce for PreslidingFriction {
         }
     }
 
-    /// Computes state and force at the end of the path. The result is exact for the exponent n = 1 without creep.
+    /// Computes state and force at the end of the path. The result is exact if the exponent n of the law is 1 and the
+    /// contact does not creep.
     ///
     /// With displacement instead of time as the variable, the law of the contact depends on its own state alone. Only
     /// the reversals of the path inside the step matter.
@@ -303,7 +311,8 @@ impl StatefulForce for PreslidingFriction {
         [z, z * self.stiffness]
     }
 
-    /// Returns 0 at rest. Any deflection is an equilibrium there, but before any motion there is no deflection.
+    /// Returns the steady deflection z, m, under a constant velocity. At rest it is 0: any deflection is an equilibrium
+    /// there, but before any motion there is no deflection.
     fn equilibrium(&self, at: &Motion) -> f64 {
         if at.velocity == 0.0 {
             return 0.0;
@@ -312,7 +321,8 @@ impl StatefulForce for PreslidingFriction {
         (self.length * power(share, 1.0 / (1.0 + self.power))).copysign(at.velocity)
     }
 
-    /// Returns the steady deflection; at rest it results from the displacement since `from`.
+    /// Returns the steady deflection, m. At rest, it results from the deflection `z` and the displacement since `from`,
+    /// m.
     fn equilibrium_from(&self, from: f64, z: f64, at: &Motion) -> f64 {
         if !self.is_path_dependent(at) {
             return self.equilibrium(at);
@@ -342,9 +352,9 @@ mod tests {
         }
     }
 
-    /// The force is continuous in the exponent n at n = 1. A fit that starts at n = 1 uses the derivative with respect
-    /// to n. If the force jumped there, the fit would not leave n = 1, and its confidence interval would have zero
-    /// width.
+    /// The force is continuous in the exponent n of the contact law at n = 1. A fit that starts at n = 1 uses the
+    /// derivative with respect to n. If the force jumped there, the fit would not leave n = 1, and its confidence
+    /// interval would have zero width.
     #[test]
     fn force_does_not_jump_where_power_is_one() {
         for returns_elastically in [false, true] {
@@ -386,8 +396,8 @@ mod tests {
         {
             for (v0, v1) in [(0.0, 0.1), (0.1, 0.0), (0.2, 0.3), (-0.2, -0.3), (-1.0, -0.01), (1e-5, 2e-5), (0.1, -0.1)]
             {
-                // A mean velocity below a third of the sum of both end velocities would mean a reversal inside the
-                // step.
+                // With a mean velocity below a third of the sum of both end velocities, the step could contain a
+                // reversal.
                 for share in [0.34, 0.5, 0.8, 1.0] {
                     for bent in [-0.9, -0.01, 0.0, 0.5] {
                         let dt = 1e-3;
@@ -410,7 +420,7 @@ mod tests {
                 }
             }
         }
-        // Differences by rounding show that both code paths were used.
+        // Results that differ by rounding show that the short and the general computation were both used.
         assert!(one_way > 20, "{one_way}");
     }
 
@@ -423,7 +433,8 @@ mod tests {
             contact.after(&path.travel(Dual::<2>::along(x1, 0), Dual::along(v1, 1)), Dual::constant(bent))
         };
         let mut turns_seen = [0; 3];
-        // Final displacement in m, and the velocities at start and end, for no reversal, one reversal, and two.
+        // Final displacement, m, and velocities at start and end, m/s, of motions with no reversal, with one and with
+        // two.
         for (x1, v0, v1) in
             [(2e-4, 0.1, 0.3), (1e-4, 0.7, -0.4), (-2e-4, 0.5, -0.9), (0.0, 0.4, 0.4), (1e-4, -0.6, -0.5)]
         {

@@ -6,7 +6,8 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Rebound stop with the force F = P(x, v), which pulls the rod in. P is the law of [`EndStop`].
+/// Rebound stop with the force F = P(x, v), N, which pulls the rod in. P is the law of [`EndStop`], x the displacement,
+/// m, and v the velocity, m/s.
 #[derive(Clone, Copy, Debug)]
 pub struct ReboundStop(EndStop);
 

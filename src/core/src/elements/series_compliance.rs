@@ -1,4 +1,4 @@
-//! Series spring and damper between the moving end and the internal mass, which represent compressibility.
+//! Series spring and damper between the moving end and the internal mass: the compressibility of gas, oil and mount.
 //!
 //! Source: Jonnalagadda & Vyas, KTH 2020, chapter 3, F_s and m.
 
@@ -9,18 +9,19 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Series spring and damper with the force F_s = k_s (x_in − x_m) + c_s (v_in − v_m), and the internal mass m.
 ///
-/// The mass moves by m dv_m/dt = F_s − F_p(x_m) − F_d(v_m), with the parallel spring F_p and the FV curve F_d. Index
-/// `in` stands for the moving end, and m for the internal mass.
+/// The mass moves by m dv_m/dt = F_s − F_p(x_m) − F_d(v_m), with the forces F_p of the parallel spring and F_d of the
+/// FV curve. x is a displacement, m, and v a velocity, m/s; the index `in` means the moving end, the index m the
+/// internal mass. k_s is the stiffness, N/m, and c_s the damping, N s/m.
 ///
 /// In the source, friction and gas are parallel to the whole damper and move with the moving end. The compliance of an
 /// eye or a mount, however, carries the whole force. Friction and gas then act on the mass, and F_s is the total force.
 #[derive(Clone, Copy, Debug)]
 pub struct SeriesCompliance {
-    /// k_s, N/m.
+    /// Stiffness k_s of the series spring, N/m.
     pub stiffness: f64,
-    /// c_s, N s/m.
+    /// Damping c_s of the series damper, N s/m.
     pub damping: f64,
-    /// m, kg.
+    /// Internal mass m, kg.
     pub mass: f64,
     /// Whether friction and gas act on the mass, so that the compliance also carries their force.
     pub carries_whole: bool,

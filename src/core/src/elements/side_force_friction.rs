@@ -8,7 +8,8 @@ use crate::schema::{Describe, Parameter, View};
 
 /// Side-force friction with the force F = k_avg |F_side| tanh(K v).
 ///
-/// k_avg is the friction coefficient, K the steepness of the change of sign.
+/// k_avg is the friction coefficient, F_side the side force, N, and v the velocity, m/s. K, s/m, is the steepness of
+/// the change of sign.
 #[derive(Clone, Copy, Debug)]
 pub struct SideForceFriction {
     coefficient: f64,

@@ -2,14 +2,15 @@
 
 use crate::dual::Real;
 
-/// Spring and soft gap with the deflection d(F) = F/k + g F/(|F| + F_0).
+/// Spring and soft gap with the deflection d(F) = F/k + g F/(|F| + F_0), m, under the force F, N.
 ///
-/// At large forces, the deflection is that of the spring plus g on either side; the law is softest at F = 0.
+/// k is the stiffness of the spring, N/m. At forces far above F_0, the deflection is that of the spring plus g on
+/// either side; the law is softest at F = 0.
 #[derive(Clone, Copy, Debug)]
 pub struct SoftGap {
-    /// g, m.
+    /// Half the gap, g, m: the free travel to either side.
     pub gap: f64,
-    /// F_0, N: force at which half the gap is closed.
+    /// Force F_0 at which the gap is half closed, N.
     pub softness: f64,
 }
 
@@ -17,14 +18,15 @@ impl SoftGap {
     /// No gap.
     pub const CLOSED: SoftGap = SoftGap { gap: 0.0, softness: 1.0 };
 
-    /// Computes d(F) with a spring of compliance 1/k.
+    /// Computes the deflection d(F), m, under the force `force`, N, with a spring of `compliance` 1/k, m/N.
     #[inline(always)]
     pub fn deflection<R: Real>(&self, compliance: f64, force: R) -> R {
         let taken = force.abs().plus(self.softness).inverse() * self.gap;
         force * taken.plus(compliance)
     }
 
-    /// Computes F(d) and dF/dd with a spring of stiffness `k`: |F| is the root of y² + (F_0 + k g − k|d|) y = k|d| F_0.
+    /// Computes the force F, N, and dF/dd, N/m, at the deflection `d`, m, with a spring of stiffness `k`, N/m. |F| is
+    /// the positive root y of y² + (F_0 + k g − k|d|) y = k|d| F_0.
     #[inline(always)]
     pub fn force<R: Real>(&self, k: R, d: R) -> (R, R) {
         let alone = k * d.abs();

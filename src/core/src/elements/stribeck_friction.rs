@@ -13,42 +13,43 @@ use crate::schema::{Describe, Parameter, View};
 ///
 /// *Simplified* (equations 3.5–3.7 of the source, without the v² term, which is the element `viscous_friction`): `F =
 /// √(2e) (F_brk − F_c) exp(−(v/v_st)²) v/v_st + F_c tanh(v/v_coul)`, `v_st = √2 v_brk`, `v_coul = v_brk/10`. F_brk is
-/// the peak force at the break-away velocity v_brk, and F_c the friction at high velocity.
+/// about the peak force, at the break-away velocity v_brk, and F_c the friction at high velocity.
 ///
 /// *Full*: equations 3.3–3.4 of the source cannot be correct as printed. This form is therefore the generalized
 /// Stribeck curve of Armstrong-Hélouvry (Automatica 30, 1994) with the parameters of the source and a smooth rise: `F =
-/// sign(v) [F_s + (F_t − F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`. The force approaches F_t at the break-away
-/// velocity V_fs. At velocities far above V_s it approaches F_s.
+/// sign(v) [F_s + (F_t − F_s) exp(−(|v|/V_s)^a)] tanh(c (|v|/V_fs)^d)`. F_t is the peak force and F_s the friction at
+/// high velocity. V_s is the velocity scale of the fall, and a its exponent. c is the steepness of the rise, and d its
+/// exponent. The force comes near F_t at the break-away velocity V_fs. At velocities far above V_s it approaches F_s.
 ///
 /// The source is Jonnalagadda & Vyas, KTH 2020.
 #[derive(Clone, Copy, Debug)]
 pub enum StribeckFriction {
     /// The simplified form.
     Simplified {
-        /// √(2e) (F_brk − F_c) / v_st, N s/m.
+        /// Derivative of the peak term at rest, √(2e) (F_brk − F_c)/v_st, N s/m.
         peak: f64,
-        /// 1/v_st, s/m.
+        /// One over the Stribeck velocity, 1/v_st, s/m.
         per_stribeck: f64,
-        /// F_c, N.
+        /// Friction F_c at high velocity, N.
         coulomb: f64,
-        /// 1/v_coul, s/m.
+        /// Steepness of the change of sign, 1/v_coul, s/m.
         steepness: f64,
     },
     /// The full form.
     Full {
-        /// F_s, N.
+        /// Friction F_s at high velocity, N.
         coulomb: f64,
-        /// F_t − F_s, N.
+        /// Peak force above the friction at high velocity, F_t − F_s, N.
         excess: f64,
-        /// 1/V_s, s/m.
+        /// One over the velocity scale of the fall, 1/V_s, s/m.
         per_stribeck: f64,
-        /// a.
+        /// Exponent a of the fall.
         fall: f64,
-        /// 1/V_fs, s/m.
+        /// One over the break-away velocity, 1/V_fs, s/m.
         per_breakaway: f64,
-        /// c.
+        /// Steepness c of the rise.
         rise: f64,
-        /// d.
+        /// Exponent d of the rise.
         rise_power: f64,
     },
 }
@@ -111,7 +112,7 @@ impl Prepare for StribeckFriction {
                 rise_power: p.number(own!("stribeck_rise_power")),
             });
         }
-        /// √(2e).
+        /// √(2e) with Euler's number e.
         const SQRT_2E: f64 = 2.331_643_981_597_124;
         let per_stribeck = core::f64::consts::FRAC_1_SQRT_2 / v;
         Ok(StribeckFriction::Simplified {
@@ -127,7 +128,8 @@ impl Prepare for StribeckFriction {
 const BELOW_ROUNDING: f64 = 40.0;
 
 impl StribeckFriction {
-    /// Computes the full form. Not inlined, because its two powers take many times as long as the simplified form.
+    /// Computes force and derivatives of the full form at velocity `v`, m/s. Not inlined, because its two powers take
+    /// many times as long as the simplified form.
     #[cold]
     #[inline(never)]
     fn full(&self, v: f64) -> Response {
@@ -162,8 +164,8 @@ impl Force for StribeckFriction {
             StribeckFriction::Simplified { peak, per_stribeck, coulomb, steepness } => {
                 let r = v * per_stribeck;
                 let square = r * r;
-                // At velocities far above v_brk, as in most strokes, the exponential of the peak and that of the tanh
-                // are below the rounding error.
+                // At velocities far above the break-away velocity, as in most strokes, the exponentials of the peak and
+                // of tanh are below the rounding error.
                 if square > BELOW_ROUNDING {
                     return far_above(coulomb, v);
                 }
@@ -182,13 +184,14 @@ impl Force for StribeckFriction {
     }
 }
 
-/// Computes the simplified form at velocities far above v_brk, where its exponentials vanish.
+/// Computes the simplified form at velocities far above the break-away velocity, where its exponentials vanish: ± the
+/// Coulomb friction.
 #[inline(always)]
 fn far_above(coulomb: f64, v: f64) -> Response {
     Response { force: coulomb.copysign(v), d_force_d_x: 0.0, d_force_d_v: 0.0 }
 }
 
-/// Computes the simplified form where its exponentials matter; `square` is (v/v_st)².
+/// Computes the simplified form where its exponentials matter; `square` is (v/v_st)² with the Stribeck velocity v_st.
 #[inline(always)]
 fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) -> Response {
     let bump = peak * exp_below_bound(-square);
@@ -200,7 +203,7 @@ fn near_breakaway(peak: f64, square: f64, coulomb: f64, steepness: f64, v: f64) 
     }
 }
 
-/// Returns the derivative of `scale · s^p` at s = 0 for p ≥ 1.
+/// Returns the derivative of `scale · s^p` with respect to s at s = 0, for p ≥ 1.
 fn derivative_at_rest(scale: f64, p: f64) -> f64 {
     if p == 1.0 { scale } else { 0.0 }
 }

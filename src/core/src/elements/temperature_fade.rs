@@ -6,33 +6,38 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Temperature fade of the laminar part of F_d, by the factor exp(−α (T − T_0)/(1 + κ (T − T_0))).
+/// Temperature fade of the laminar part of the FV force F_d, by the factor exp(−α (T − T_0)/(1 + κ (T − T_0))).
 ///
-/// The factor is the viscosity of the oil relative to that at T_0.
-/// The laminar part is 1/(1 + |F_d|/F_l) of F_d; orifices and blow-off valves do not depend on the viscosity. κ = 0
+/// The factor is the viscosity of the oil at the temperature T relative to that at T_0, the temperature of the FV
+/// curve. α is the relative fall per kelvin at T_0, 1/K, and κ, 1/K, lowers it at higher temperatures. The laminar part
+/// is 1/(1 +
+/// |F_d|/F_l) of F_d, half of it at the force F_l; orifices and blow-off valves do not depend on the viscosity. κ = 0
 /// gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
 /// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise satisfies C_h dϑ/dt
-/// = F_h (w + b) − h ϑ. w is the oil velocity at the valves, and b the flow parallel to the valves.
+/// = F_h (w + b) − h ϑ, with the heat capacity C_h, J/K, and the heat transfer h, W/K. F_h is the hydraulic force, w
+/// the oil velocity at the valves, and b the flow parallel to the valves, as a piston velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
-    /// κ.
+    /// κ, 1/K: how fast the fall per kelvin gets smaller with temperature.
     slackening: f64,
     reference: f64,
-    /// 1/F_l.
+    /// One over the force F_l at which half of the force is laminar, 1/N; 0 if all of it is.
     per_laminar: f64,
-    /// 1/C_h.
+    /// One over the heat capacity, 1/C_h, K/J.
     pub(crate) per_capacity: f64,
-    /// h/C_h.
+    /// Cooling rate: heat transfer over heat capacity, h/C_h, 1/s.
     pub(crate) cooling: f64,
     pub(crate) heats_itself: bool,
 }
 
-/// Value of F_l, N, from which on the whole force fades.
+/// Value of `fade_laminar_force`, N, from which on the whole FV force fades.
 const ALL: f64 = 1e9;
-/// Largest magnitude of the exponent, which is clamped: e³ is a factor of twenty, more than any damper shows.
+/// Largest magnitude of the exponent of the fade factor, which is clamped: e³ is a factor of twenty, more than any
+/// damper shows.
 const LARGEST: f64 = 3.0;
-/// Smallest value of 1 + κ (T − T_0), which is clamped: the law has a pole far below T_0, where the oil becomes a wax.
+/// Smallest value of the denominator 1 + κ (T − T_0), which is clamped. The law has a pole far below the reference
+/// temperature T_0, where the oil becomes a wax.
 const STIFFEST: f64 = 0.05;
 
 impl Describe for TemperatureFade {
@@ -97,19 +102,19 @@ impl Prepare for TemperatureFade {
 }
 
 impl TemperatureFade {
-    /// Returns whether the whole force fades, for any size of the force.
+    /// Returns whether the whole FV force fades, whatever its size.
     #[inline(always)]
     pub(crate) fn is_of_all(&self) -> bool {
         self.per_laminar == 0.0
     }
 
-    /// Computes the faded FV force; `factor` is the factor on its laminar part.
+    /// Computes the faded FV force, N, from the FV force `force`; `factor` is the factor on its laminar part.
     #[inline(always)]
     pub(crate) fn force<R: Real>(&self, force: R, factor: R) -> R {
         force * (factor.plus(-1.0) * self.laminar(force)).plus(1.0)
     }
 
-    /// Computes 1/(1 + |F|/F_l).
+    /// Computes the laminar fraction of a force F, 1/(1 + |F|/F_l): half at the force F_l.
     #[inline(always)]
     pub(crate) fn laminar<R: Real>(&self, force: R) -> R {
         (force.abs() * self.per_laminar).plus(1.0).inverse()

@@ -5,10 +5,10 @@ use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
 
-/// Viscous friction with the force F = F_v v|v|, odd in v.
+/// Viscous friction with the force F = F_v v|v|, odd in the velocity v, m/s; F_v is a coefficient, N s²/m².
 ///
-/// Equation 3.5 of the source has v² without a sign. In compression that force would drive the motion instead of
-/// resisting it.
+/// Equation 3.5 of the source (Jonnalagadda & Vyas, KTH 2020) has v² without a sign. In compression that force would
+/// drive the motion instead of resisting it.
 #[derive(Clone, Copy, Debug)]
 pub struct ViscousFriction {
     coefficient: f64,

@@ -1,4 +1,5 @@
-//! Force, rates and partials of a damper with elements in its series or hydraulic path (see [`crate::paths`]).
+//! Force, state derivatives and partial derivatives of a damper with elements in its series or hydraulic path (see
+//! [`crate::paths`]).
 
 use super::Partials;
 use crate::assembly::Elements;
@@ -16,16 +17,17 @@ use crate::tables::{ForceLaw, Tables};
 
 /// Number of variables with respect to which one evaluation differentiates.
 ///
-/// All evaluations here use this number type, even those that need no derivatives, because hosts call them rarely. With
-/// all thirteen variables at once, the machine code was as long as that of all steps together.
+/// All evaluations here use this number type, even those that need no derivatives, because hosts call them rarely. The
+/// thirteen variables are ten states, the motion of the moving end, and the oil velocity. With all of them at once, the
+/// machine code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
-/// Number with the derivatives of one evaluation.
+/// Number with its derivatives with respect to the [`DIRECTIONS`] variables of one evaluation.
 type Derivatived = Dual<DIRECTIONS>;
 
 /// State derivatives and forces at given states and a given oil velocity.
 struct Instant {
-    /// Residual of the equation for the oil velocity; 0 at the solution.
+    /// Residual of the equation for the oil velocity at the valves; 0 at the solution.
     residual: Derivatived,
     rates: [Derivatived; STATES],
     force: Derivatived,
@@ -65,7 +67,7 @@ fn instant(
     let (x, u) = if e.has_series() { (states[place::X], states[place::U]) } else { (around.x, around.v) };
     let flow = flow(e, curve, w, around, states);
     let mut rates = [Dual::constant(0.0); STATES];
-    // With an oil column, its state determines the force, and the valves then determine the oil velocity.
+    // The state of an oil column determines the hydraulic force, and the valves then determine the oil velocity.
     let (primary, deflection) = if e.has_column() {
         column_force(e, around.x, states[place::COLUMN])
     } else {
@@ -116,11 +118,11 @@ fn instant(
     Instant { residual, rates, force, primary, inner }
 }
 
-/// Relative tolerance of the oil velocity.
+/// Relative tolerance of the oil velocity at which the iteration ends.
 const TOLERANCE: f64 = 1e-13;
 
-/// Finds the oil velocity w, from a guess, at which the residual `left` is 0. The arguments of `left` are w and the FV
-/// force at w. `least` are lower bounds of its two derivatives: see [`oil_velocity`].
+/// Finds the oil velocity w, m/s, from a guess, at which the residual `left` is 0. The arguments of `left` are w and
+/// the FV force at w, N. `least` are lower bounds of its two derivatives: see [`oil_velocity`].
 #[inline(never)]
 fn sought(
     e: &Paths<impl Tables>,
@@ -135,7 +137,7 @@ fn sought(
     oil_velocity(e, guess, ITERATIONS, least, TOLERANCE, &residual, &mut ()).root()
 }
 
-/// Computes the oil velocity at given states.
+/// Computes the oil velocity at the valves, m/s, at given states and the motion `at`.
 fn oil(
     elements: &Elements<impl Tables>,
     states: &[f64; STATES],
@@ -157,7 +159,7 @@ fn oil(
 /// Indices of displacement and velocity of the moving end among the variables of an instant, after the states.
 const X: usize = STATES;
 const V: usize = X + 1;
-/// Direction of the oil velocity, the last one; the oil velocity depends on all other variables.
+/// Direction of the oil velocity: the last one. The oil velocity depends on all other variables.
 const W: usize = DIRECTIONS - 1;
 
 /// The damper at given states and input, with its oil velocity.
@@ -181,7 +183,8 @@ impl<'a, T: Tables> At<'a, T> {
         At { e, states, internal, around, w, curve: e.paths.fv_curve.evaluate(w) }
     }
 
-    /// Evaluates the instant with its derivatives with respect to the variables with the indices `places`.
+    /// Evaluates the damper with its derivatives with respect to the variables with the indices `places`: states, [`X`]
+    /// and [`V`].
     fn along(&self, places: [usize; W]) -> Instant {
         let lifted = |value: f64, place: usize| match places.iter().position(|moved| *moved == place) {
             Some(direction) => Dual::along(value, direction),
@@ -213,7 +216,8 @@ impl Instant {
     }
 }
 
-/// The force through both paths, its components, and its derivatives with respect to the motion of the moving end.
+/// The force through the series and the hydraulic path, its components in N, and its derivatives with respect to the
+/// motion of the moving end.
 pub(super) struct Through {
     pub force: f64,
     pub primary: f64,
@@ -222,11 +226,11 @@ pub(super) struct Through {
     pub heat: f64,
 }
 
-/// Further outputs of an evaluation besides the force.
+/// Results of an evaluation besides forces.
 pub(super) enum FurtherOutputs<'a> {
     /// No further output.
     Nothing,
-    /// The rates of the states.
+    /// The time derivatives (rates) of the states.
     Rates(&'a mut State),
     /// The derivatives of force and rates.
     Partials(&'a mut Partials),
@@ -234,7 +238,8 @@ pub(super) enum FurtherOutputs<'a> {
 
 pub(super) fn through(e: &Elements<impl Tables>, state: &State, input: &Input, further: FurtherOutputs) -> Through {
     let at = At::new(e, state, input);
-    // The last state, and displacement and velocity of the moving end, whose derivatives are always needed.
+    // Variables of the first evaluation: the last state, and displacement and velocity of the moving end. The
+    // derivatives with respect to the latter two are always needed.
     const WITH_INPUT: [usize; W] = [place::HEAT, X, V];
     let instant = at.along(WITH_INPUT);
     let [_, by_x, by_v] = instant.derivatives(&instant.force);
@@ -288,18 +293,19 @@ impl Instant {
 
 /// Largest number of iterations for the states and the hydraulic force at equilibrium.
 const TOGETHER: usize = 200;
-/// Number of iterations after which the state of the frequency-selective damping is bracketed.
+/// Number of iterations to the equilibrium after which the state of the frequency-selective damping is bracketed.
 ///
-/// With a bypass groove, the force of a nearly closed valve rises steeply. Without the bracket, the state overshoots by
-/// more in every iteration. A lagging valve would move the bracket in every iteration, so models with such a valve use
-/// no bracket.
+/// With a bypass, the force rises steeply as the bypass closes. Without the bracket, the state overshoots by more in
+/// every iteration. A lagging valve would move the bracket in every iteration, so models with such a valve use no
+/// bracket.
 const DRAWN: usize = 40;
 
-/// Computes the states and the hydraulic force at equilibrium, where voids and valves no longer move.
+/// Computes the states and the hydraulic force, N, at equilibrium, where voids and valves no longer move. The inputs
+/// are displacement `x`, m, velocity `v`, m/s, and temperature, °C.
 pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f64) -> ([f64; STATES], f64) {
     let mut states = [0.0; STATES];
-    // The target of a state depends on the force, and the force depends on the state. Both converge long before the
-    // last iteration.
+    // The target of a state depends on the force, and the force depends on the state, so both are iterated. They
+    // converge long before the last iteration.
     let mut force = 0.0;
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for round in 0..TOGETHER {

@@ -6,51 +6,52 @@
 //! hysteresis  s = y − h (z − z_r),   dz/dt = (dy/dt − |dy/dt| z)/(2 h)
 //! ```
 //!
-//! z is the state of a Dahl element driven by y: it tends to 1 while y rises and to −1 while y falls. The actual
-//! setting s is therefore 2 h smaller while y rises than while it falls. After a reversal ds/dy begins at 0 and tends to
-//! 1: s never moves against y.
+//! u is the command after the dead time t_d, and y the setting behind the lag with the time constant τ. h is the
+//! hysteresis: half the distance between the branches. z is the state of a Dahl element driven by y: it tends to 1
+//! while y rises and to −1 while y falls. The actual setting s is therefore 2 h smaller after a long rise of y than
+//! after a long fall. After a reversal ds/dy begins at 0 and tends to 1: s never moves against y.
 //!
-//! z_r is the state at rest, for which the damper's numbers over the setting apply: 1 if the valve reached each setting
-//! from below, −1 from above, 0 in the middle.
+//! z_r is the state z at which the damper's parameters over the setting apply. It is 1 if the valve reached each
+//! setting from below, −1 if from above, and 0 midway between.
 
 use crate::math::{exp_below_bound, max, min};
 
 /// Shortest time constant in [`Actuator::rates`], s. It replaces a shorter or missing time constant.
 pub const QUICKEST: f64 = 1e-4;
 
-/// Dynamics of the valve's setting. Rising means toward larger settings.
+/// Dynamics between the commanded and the actual setting of a valve. Rising means toward larger settings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Actuator {
-    /// Time constants for rising and for falling, s.
+    /// Time constants of the lag while the setting rises and while it falls, s.
     pub time: [f64; 2],
-    /// Largest rates for rising and for falling, in the setting's unit per second; 0: no limit.
+    /// Largest rates while the setting rises and while it falls, in the setting's unit per second; 0: no limit.
     pub rate: [f64; 2],
     /// Dead time, s.
     pub dead_time: f64,
-    /// h, in the setting's unit.
+    /// Hysteresis h, in the setting's unit: half the distance between the rising and the falling branch.
     pub hysteresis: f64,
-    /// z_r, from −1 to 1.
+    /// State z_r of the hysteresis at which the damper's parameters over the setting apply, from −1 to 1.
     pub rest: f64,
 }
 
-/// State of the valve's setting.
+/// State of the actuator, from which the actual setting of the valve follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stand {
-    /// y, the setting behind the lag.
+    /// Setting y behind the lag, in the setting's unit.
     pub lagged: f64,
-    /// z, the state of the hysteresis, from −1 to 1.
+    /// State z of the hysteresis, from −1 (after a long fall) to 1 (after a long rise).
     pub turned: f64,
 }
 
-/// State derivatives of the valve's setting, and their partial derivatives.
+/// State derivatives of the actuator, and their partial derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Rates {
-    /// dy/dt and dz/dt.
+    /// Time derivatives of the lagged setting y and of the hysteresis state z.
     pub rate: [f64; 2],
-    /// Derivatives of dy/dt with respect to y and u.
+    /// Derivatives of dy/dt with respect to the lagged setting y and the command u.
     pub lagged_by: [f64; 2],
-    /// Derivatives of dz/dt with respect to y, z and u.
+    /// Derivatives of dz/dt with respect to the lagged setting y, the hysteresis state z and the command u.
     pub turned_by: [f64; 3],
 }
 
@@ -58,7 +59,7 @@ impl Actuator {
     /// No dynamics: the actual setting equals the command.
     pub const NONE: Actuator = Actuator { time: [0.0; 2], rate: [0.0; 2], dead_time: 0.0, hysteresis: 0.0, rest: 0.0 };
 
-    /// Returns whether y is a state.
+    /// Returns whether the lagged setting is a state: with a time constant, a rate limit or a hysteresis.
     #[inline(always)]
     pub fn has_lag(&self) -> bool {
         let [up, down] = self.time;
@@ -66,38 +67,39 @@ impl Actuator {
         up + down + rising + falling + self.hysteresis > 0.0
     }
 
-    /// Returns whether z is a state.
+    /// Returns whether the actuator has a hysteresis and thus its state.
     #[inline(always)]
     pub fn has_hysteresis(&self) -> bool {
         self.hysteresis > 0.0
     }
 
-    /// Returns the actual setting s.
+    /// Returns the actual setting of the valve in a state of the actuator.
     #[inline(always)]
     pub fn setting(&self, stand: &Stand) -> f64 {
         stand.lagged - self.hysteresis * (stand.turned - self.rest)
     }
 
-    /// Returns the state in which the damper's numbers at the setting u apply.
+    /// Returns the state of the actuator in which the damper's parameters at the setting `u` apply.
     #[inline(always)]
     pub fn still(&self, u: f64) -> Stand {
         Stand { lagged: u, turned: if self.has_hysteresis() { self.rest } else { 0.0 } }
     }
 
-    /// Returns the steady state under a constant u, the command after the dead time. The hysteresis depends on the
-    /// change of y since the state `from`.
+    /// Returns the steady state under a constant command `u` after the dead time. The hysteresis depends on the change
+    /// of the lagged setting since the state `from`.
     pub fn at_rest(&self, from: &Stand, u: f64) -> Stand {
         Stand { lagged: u, turned: self.turned(from.turned, u - from.lagged) }
     }
 
-    /// Advances the state by a step in which u, the command after the dead time, is constant. The result is exact.
+    /// Advances the state by a step of `dt`, s, in which the command `u` after the dead time is constant. The result is
+    /// exact.
     pub fn advance(&self, from: &Stand, u: f64, dt: f64) -> Stand {
         let way = u - from.lagged;
         let falls = usize::from(way < 0.0);
         let (time, rate) = (self.time[falls], self.rate[falls]);
         let (mut left, mut dt) = (way.abs(), dt);
         if rate > 0.0 {
-            // The rate stays at its limit until the rate of the lag alone is smaller.
+            // The rate stays at its limit until the rate that the lag alone would cause is smaller.
             let slow = rate * time;
             let until = max(left - slow, 0.0) / rate;
             let at_limit = min(until, dt);
@@ -113,7 +115,8 @@ impl Actuator {
         Stand { lagged: u - left.copysign(way), turned: self.turned(from.turned, moved) }
     }
 
-    /// Computes z exactly after a change `moved` of y in one direction.
+    /// Computes the hysteresis state exactly after a change `moved` of the lagged setting in one direction, from the
+    /// state `z`.
     #[inline(always)]
     fn turned(&self, z: f64, moved: f64) -> f64 {
         if self.hysteresis == 0.0 {
@@ -123,7 +126,7 @@ impl Actuator {
         target + (z - target) * exp_below_bound(-moved.abs() / (2.0 * self.hysteresis))
     }
 
-    /// Computes the state derivatives at an instant.
+    /// Computes the state derivatives at an instant; `u` is the command after the dead time.
     pub fn rates(&self, stand: &Stand, u: f64) -> Rates {
         let way = u - stand.lagged;
         let falls = usize::from(way < 0.0);
@@ -152,7 +155,7 @@ mod tests {
     const VALVE: Actuator =
         Actuator { time: [8e-3, 20e-3], rate: [60.0, 0.0], dead_time: 0.0, hysteresis: 0.05, rest: 0.0 };
 
-    /// Integrates the state derivatives in tiny steps.
+    /// Integrates the actuator's state derivatives in tiny steps, as a reference for the exact step.
     fn integrated(valve: &Actuator, mut stand: Stand, u: f64, dt: f64) -> Stand {
         let steps = 200_000;
         for _ in 0..steps {
@@ -208,7 +211,8 @@ mod tests {
             }
         }
         let [up, down] = ways;
-        // Far from both ends the curves of the rising and the falling setting are 2 h apart.
+        // Far from both ends of the range, the curves of the rising and the falling setting are twice the hysteresis of
+        // 0.1 apart.
         assert!((down[20] - up[20] - 0.2).abs() < 0.01, "{} {}", up[20], down[20]);
         assert!(up.iter().zip(&down).all(|(up, down)| up <= &(down + 1e-12)));
     }

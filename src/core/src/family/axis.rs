@@ -1,4 +1,5 @@
-//! Data that the user supplies: the grid of the setting, the values over it, the actuator.
+//! Data of an adjustable damper that the user supplies: the grid of the setting, the parameter values over the grid,
+//! the actuator.
 
 use super::actuator::Actuator;
 use super::interpolation::{MAX_GRID, Place, limit};
@@ -13,17 +14,18 @@ use crate::{element, list};
 pub const MAX_NUMBERS: usize = 32;
 /// Largest number of bytes of the setting's name and unit.
 pub const MAX_TEXT: usize = 31;
-/// Largest magnitude of a setting. Even values in revolutions per minute or pascals are far below.
+/// Largest magnitude of a setting, in its own unit. Even values in revolutions per minute or pascals are below it.
 const LARGEST: f64 = 1e9;
-/// Smallest interval of the grid relative to its range. A grid with closer values is rejected.
+/// Smallest interval between two grid values, relative to the range of the grid. A grid with closer values is rejected.
 const LEAST_INTERVAL: f64 = 1e-6;
 
-/// Description of a number of the axis that is not a parameter of the damper, such as a time constant of the actuator.
+/// Description of a number of the setting that is not a parameter of the damper, such as a time constant of the
+/// actuator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
     /// Name in model files and in C.
     pub name: &'static str,
-    /// Unit; `*` stands for the setting's own, `*/s` for that per second.
+    /// Unit; `*` stands for the unit of the setting, `*/s` for that unit per second.
     pub unit: &'static str,
     /// Smallest and largest value.
     pub bounds: (f64, f64),
@@ -35,7 +37,7 @@ const fn entry(name: &'static str, unit: &'static str, bounds: (f64, f64), meani
     Entry { name, unit, bounds, meaning }
 }
 
-/// Descriptions of the numbers of an axis, in the order of [`Axis::number`].
+/// Descriptions of the numbers of a setting, in the order of [`Axis::number`].
 pub const ENTRIES: [Entry; 8] = [
     entry(
         "setting_start",
@@ -62,13 +64,13 @@ pub const ENTRIES: [Entry; 8] = [
     ),
 ];
 
-/// A parameter of the damper over the grid.
+/// A parameter of the damper that depends on the setting, with its values over the grid.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Varying {
-    /// Index in the parameter table.
+    /// Index of the parameter in the parameter table.
     pub row: u64,
-    /// Value at each grid value.
+    /// Value of the parameter at each grid value; unused entries are 0.
     pub values: [f64; MAX_GRID],
 }
 
@@ -78,13 +80,13 @@ pub struct Varying {
 pub struct Axis {
     count: u64,
     grid: [f64; MAX_GRID],
-    /// The numbers of [`ENTRIES`]; the first is NaN if it is not given.
+    /// Values of the [`ENTRIES`]; the first, the start setting, is NaN if it is not given.
     entries: [f64; ENTRIES.len()],
     varying: u64,
     numbers: [Varying; MAX_NUMBERS],
-    /// Number of points of the FV table over the grid; 0 without such a table.
+    /// Number of points of the FV table if its forces depend on the setting; otherwise 0.
     points: u64,
-    /// Bit set of the grid values at which forces are given.
+    /// Bit set of the grid values at which forces of the FV table are given.
     given: u64,
     forces: [[f64; MAX_POINTS]; MAX_GRID],
     name: [u8; MAX_TEXT + 1],
@@ -121,7 +123,7 @@ impl Default for Axis {
     }
 }
 
-/// Makes a fault of the axis as a whole.
+/// Makes a fault of the setting as a whole, which names no parameter.
 fn of_the_axis(reason: Reason) -> Fault {
     Fault { parameter: NO_PARAMETER, reason }
 }
@@ -149,7 +151,7 @@ impl Axis {
         unit: [0; MAX_TEXT + 1],
     };
 
-    /// Removes the setting.
+    /// Removes the setting, with its grid, its values, its actuator, its name and its unit.
     pub fn clear(&mut self) {
         (self.count, self.varying, self.points, self.given) = (0, 0, 0, 0);
         self.grid = [0.0; MAX_GRID];
@@ -157,17 +159,17 @@ impl Axis {
         (self.name, self.unit) = ([0; MAX_TEXT + 1], [0; MAX_TEXT + 1]);
     }
 
-    /// Returns whether there is a setting.
+    /// Returns whether the damper depends on a setting.
     pub fn is_some(&self) -> bool {
         self.count > 0
     }
 
-    /// Returns the grid.
+    /// Returns the grid of the setting, ascending; empty without a setting.
     pub fn grid(&self) -> &[f64] {
         self.grid.get(..self.count as usize).unwrap_or(&[])
     }
 
-    /// Returns the first and the last value of the grid.
+    /// Returns the first and the last value of the grid; zeros without a setting.
     pub fn range(&self) -> (f64, f64) {
         let grid = self.grid();
         (grid.first().copied().unwrap_or(0.0), grid.last().copied().unwrap_or(0.0))
@@ -194,8 +196,8 @@ impl Axis {
         core::str::from_utf8(self.name_bytes()).unwrap_or("")
     }
 
-    /// Returns the name in bytes. [`Axis::name`] is not in the library, because the UTF-8 check of the standard library
-    /// can panic.
+    /// Returns the name of the setting in bytes. [`Axis::name`] is not in the library, because the UTF-8 check of the
+    /// standard library can panic.
     pub fn name_bytes(&self) -> &[u8] {
         text(&self.name)
     }
@@ -207,12 +209,12 @@ impl Axis {
         core::str::from_utf8(self.unit_bytes()).unwrap_or("")
     }
 
-    /// Returns the unit in bytes.
+    /// Returns the unit of the setting in bytes.
     pub fn unit_bytes(&self) -> &[u8] {
         text(&self.unit)
     }
 
-    /// Sets the name, of at most [`MAX_TEXT`] bytes.
+    /// Sets the name of the setting, of at most [`MAX_TEXT`] bytes.
     ///
     /// # Errors
     /// Returns [`Reason::PointCount`] for a longer text.
@@ -224,7 +226,7 @@ impl Axis {
         keep(&mut self.name, name)
     }
 
-    /// Sets the unit, of at most [`MAX_TEXT`] bytes.
+    /// Sets the unit of the setting, of at most [`MAX_TEXT`] bytes.
     ///
     /// # Errors
     /// Returns [`Reason::PointCount`] for a longer text.
@@ -256,13 +258,13 @@ impl Axis {
         Ok(())
     }
 
-    /// Returns the setting that applies if the host gives none.
+    /// Returns the setting that applies if the host gives none: the given start setting, or else the first of the grid.
     pub fn start(&self) -> f64 {
         let (first, _) = self.range();
         self.entries.first().copied().filter(|start| !start.is_nan()).unwrap_or(first)
     }
 
-    /// Returns the actuator of the axis.
+    /// Returns the actuator of the setting.
     pub fn actuator(&self) -> Actuator {
         let [_, up, down, dead_time, rising, falling, hysteresis, rest] = self.entries;
         Actuator { time: [up, down], rate: [rising, falling], dead_time, hysteresis, rest }
@@ -299,7 +301,7 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes a parameter independent of the setting.
+    /// Makes a parameter independent of the setting: removes its values over the grid.
     pub fn forget_values(&mut self, number: Number) {
         let index = number.row().index as u64;
         let Some(place) = self.numbers().iter().position(|varying| varying.row == index) else { return };
@@ -317,7 +319,8 @@ impl Axis {
         (self.points, self.given) = (0, 0);
     }
 
-    /// Sets a list at grid value `index`. Only the forces of the FV table can vary.
+    /// Sets the values of a list at grid value `index`. The only list that may depend on the setting is the forces of
+    /// the FV table.
     ///
     /// # Errors
     /// Returns an error for another list, and the errors of [`Axis::set_forces`].
@@ -368,7 +371,8 @@ impl Axis {
     /// Returns the forces of all points of the FV table at grid value `index`, and their derivatives with respect to
     /// the setting.
     ///
-    /// The derivatives are limited, so that between the grid values no force decreases with velocity.
+    /// The derivatives are limited, so that the forces do not decrease with velocity at any setting between the grid
+    /// values.
     pub(crate) fn forces_with_derivatives(&self, index: usize) -> ([f64; MAX_POINTS], [f64; MAX_POINTS]) {
         let (grid, points) = (self.grid(), self.points as usize);
         let forces = self.forces.get(index).copied().unwrap_or([0.0; MAX_POINTS]);
@@ -414,7 +418,7 @@ impl Axis {
             let Some(row) = table().nth(varying.row as usize) else { continue };
             let Ok(number) = Number::try_from(row) else { continue };
             let derivatives = super::interpolation::derivatives(grid, varying.values.get(..grid.len()).unwrap_or(&[]));
-            // The value lies between two valid values, so it is valid.
+            // The value lies between two valid values, so `set` cannot fail.
             let _ = params.set(number, number.inside(place.value(&varying.values, &derivatives)));
         }
         if self.has_forces() {
@@ -423,7 +427,8 @@ impl Axis {
             let [w0, w1, w2, w3] = place.weights;
             let mut forces = [0.0; MAX_POINTS];
             let ends = from.iter().zip(&to).zip(from_derivatives.iter().zip(&to_derivatives));
-            // The forces rise with velocity, except for rounding errors, which the maximum removes.
+            // The interpolated forces do not decrease with velocity, except by rounding errors, which the maximum
+            // removes.
             let mut last = f64::NEG_INFINITY;
             for (force, ((f0, f1), (d0, d1))) in forces.iter_mut().zip(ends) {
                 *force = max((w0 * f0 + w1 * f1) + (w2 * d0 + w3 * d1), last);
@@ -433,8 +438,9 @@ impl Axis {
         }
     }
 
-    /// Checks the whole axis. Values need a grid, and the start must lie inside the grid. The hysteresis must be at
-    /// most a quarter of the range of the grid.
+    /// Checks the whole axis. Values over a setting need a grid, and the start setting must lie inside the grid. The
+    /// hysteresis must be at most a quarter of the range of the grid. Given forces must cover all grid values and must
+    /// not decrease with velocity.
     ///
     /// # Errors
     /// Returns the error and the parameter at fault.
@@ -474,8 +480,8 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes a family that contains the given parameter sets at the grid values. Returns the first set, and an axis
-    /// with the values that differ.
+    /// Makes a definition of a family that has the parameter sets `sets` at the grid values. Returns the first set, and
+    /// an axis with the values that differ.
     ///
     /// # Errors
     /// Returns an error for sets that differ in a value that cannot depend on the setting. An invalid grid, and a
@@ -515,7 +521,7 @@ impl Axis {
 
     /// Returns the parameters that depend on the setting and affect stored energy or the force at rest.
     ///
-    /// A change of the setting may do work on the host through these parameters. Without such a parameter the damper is
+    /// A change of the setting may do work on the host through these parameters. If the result is empty, the damper is
     /// passive for any change of the setting.
     ///
     /// Energy is stored in springs, oil columns and masses, in the force or the temperature of the gas, and in the
@@ -553,7 +559,7 @@ pub(crate) fn check_entry(index: usize, value: f64) -> Result<(), Fault> {
     Ok(())
 }
 
-/// Checks the length of a name or a unit.
+/// Checks the length of the setting's name or unit.
 pub(crate) fn check_text(text: &[u8]) -> Result<(), Fault> {
     if text.len() > MAX_TEXT { Err(of_the_axis(Reason::PointCount)) } else { Ok(()) }
 }

@@ -1,8 +1,8 @@
 //! Dead time: a signal delayed by a fixed time.
 //!
-//! [`CELLS`] cells of equal length store the signal of the last dead time. Each cell stores the mean over its length.
-//! The output of a step is the mean of the delayed signal over the step. For any step lengths, every part of the signal
-//! counts exactly once. The delay of a change equals the dead time to within the length of a cell.
+//! [`CELLS`] cells of equal length store the signal of the last dead time. Each cell stores the mean of the signal over
+//! its length. The output of a step is the mean of the delayed signal over the step. For any step lengths, every part
+//! of the signal counts exactly once. The delay of a change equals the dead time to within the length of a cell.
 
 use crate::math::max;
 
@@ -12,17 +12,17 @@ pub const CELLS: usize = 16;
 /// Mark that distinguishes a stored signal from uninitialized memory.
 const MARK: f64 = 1_346_454_016.0;
 
-/// The stored signal of the last dead time.
+/// The signal (the commanded setting) of the last dead time, as stored means.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Delay {
-    /// Mean of the signal over each cell; the oldest cell is filled next.
+    /// Mean of the signal over each cell; the oldest cell is overwritten next.
     cells: [f64; CELLS],
-    /// Integral of the signal over the elapsed part of a cell.
+    /// Integral of the signal over the elapsed part of the cell that is being stored.
     filled: f64,
-    /// Length of the elapsed part, s.
+    /// Length of the elapsed part of the cell that is being stored, s.
     elapsed: f64,
-    /// Index of the oldest cell.
+    /// Index of the oldest cell, a whole number from 0.
     oldest: f64,
     /// [`MARK`] if a signal is stored.
     mark: f64,
@@ -50,7 +50,8 @@ impl Delay {
         self.mark == MARK && counts && sum * 0.0 == 0.0
     }
 
-    /// Advances by a step in which the signal is constant; returns the mean of the delayed signal over the step.
+    /// Advances by a step of `dt`, s, in which the signal is constant; returns the mean of the delayed signal over the
+    /// step. `dead_time` is in s.
     pub fn advance(&mut self, signal: f64, dead_time: f64, dt: f64) -> f64 {
         if dt >= 2.0 * dead_time {
             // During the step, the output is the stored signal, followed by the new signal. Afterwards, only the new
@@ -64,8 +65,8 @@ impl Delay {
         }
         let cell = dead_time / CELLS as f64;
         let (mut left, mut sum) = (dt, 0.0);
-        // The loop covers less than two dead times and part of a cell. The limit protects against memory that other
-        // code wrote.
+        // A step shorter than two dead times needs at most this many parts of cells. The limit prevents an endless loop
+        // if other code has overwritten this memory.
         for _ in 0..2 * CELLS + 2 {
             if left <= 0.0 {
                 break;
@@ -97,7 +98,7 @@ mod tests {
             let mut delay = Delay::constant(1.0);
             let (mut came_in, mut came_out, mut rose_at) = (0.0, 0.0, None);
             for k in 0..200 {
-                // The signal steps between 1, 2 and 3 at first and is constant afterwards.
+                // The signal steps between 1, 2 and 3 for 100 steps and is constant afterwards.
                 let signal = if k < 100 { 1.0 + f64::from(k / 10 % 3) } else { 2.0 };
                 let out = delay.advance(signal, dead_time, dt);
                 (came_in, came_out) = (came_in + (signal - 1.0) * dt, came_out + (out - 1.0) * dt);
@@ -111,7 +112,8 @@ mod tests {
                 late > dead_time - dead_time / 16.0 - 1e-12 && late <= dead_time + dt + 1e-9,
                 "{late} for {dead_time}"
             );
-            // The last value of the signal, 1 above the initial one, is still stored for the length of a dead time.
+            // The last value of the signal, 1 above the initial one, fills the stored dead time. The integrals of input
+            // and output differ by that area.
             assert!((came_in - came_out - dead_time).abs() < 1e-9, "{came_in} {came_out} {dead_time} {dt}");
             assert!((delay.advance(2.0, dead_time, dt) - 2.0).abs() < 1e-9);
         }

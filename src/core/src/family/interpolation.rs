@@ -1,16 +1,16 @@
 //! Interpolation between the grid values of a setting.
 //!
-//! A parameter follows the monotone cubic through its grid values, with the Fritsch–Butland derivatives of the FV
-//! curve. The forces of the FV table are interpolated in the same way, point by point. A cubic with end values f and
-//! end derivatives d over an interval h has the Bernstein coefficients
+//! A parameter follows the monotone cubic through its grid values, with Fritsch–Butland derivatives, as the FV curve
+//! uses them. The forces of the FV table are interpolated in the same way, point by point. A cubic with the end values
+//! f_i, f_{i+1} and end derivatives d_i, d_{i+1} over a grid interval of length h has the Bernstein coefficients
 //!
 //! ```text
 //! f_i,  f_i + h d_i / 3,  f_{i+1} − h d_{i+1} / 3,  f_{i+1}
 //! ```
 //!
-//! and lies between the smallest and the largest of these. Let g be the difference of the forces of two neighboring
-//! points, and e its derivative with respect to the setting. At every setting, the forces do not decrease with velocity
-//! if
+//! and lies between the smallest and the largest of these coefficients. At grid value i, let g_i be the difference of
+//! the forces of two neighboring points of the FV table. e_i is its derivative with respect to the setting. h_i is the
+//! length of the grid interval after the value i. At every setting, the forces do not decrease with velocity if
 //!
 //! ```text
 //! −3 g_i / h_i  ≤  e_i  ≤  3 g_i / h_{i−1}
@@ -28,18 +28,19 @@ pub const MAX_GRID: usize = 8;
 /// Interval of the grid and the weights of its cubic at a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Place {
-    /// Interval, from 0.
+    /// Index of the grid interval, from 0.
     pub interval: usize,
-    /// Weights of the values at both ends and of the derivatives there; the latter include the length of the interval.
+    /// Weights of the values at both ends of the interval, then of the derivatives there. The weights of the
+    /// derivatives include the length of the interval.
     pub weights: [f64; 4],
 }
 
 impl Place {
-    /// Finds the interval and the weights of a setting, which is clamped to the grid.
+    /// Finds the interval and the weights of a setting, which is clamped to the grid of `count` values.
     #[inline(always)]
     pub fn new(grid: &[f64; MAX_GRID], count: usize, setting: f64) -> Place {
         let mut interval = 0;
-        // There are at most eight values, so a linear search is sufficient.
+        // There are at most eight grid values, so a linear search is sufficient.
         for (place, from) in grid.iter().enumerate().skip(1) {
             interval += usize::from(place + 1 < count && setting >= *from);
         }
@@ -53,7 +54,7 @@ impl Place {
         Place { interval, weights }
     }
 
-    /// Interpolates between the grid values `y` with the derivatives `d`.
+    /// Interpolates between the values `y` at the grid values, with their derivatives `d` with respect to the setting.
     #[inline(always)]
     pub fn value(&self, y: &[f64; MAX_GRID], d: &[f64; MAX_GRID]) -> f64 {
         let (from, to) = (self.interval & (MAX_GRID - 1), (self.interval + 1) & (MAX_GRID - 1));
@@ -62,7 +63,7 @@ impl Place {
     }
 }
 
-/// Computes the derivatives of a parameter over the grid.
+/// Computes the derivatives, with respect to the setting, of a parameter with these `values` at the grid values.
 pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
     let mut derivatives = [0.0; MAX_GRID];
     for (place, derivative) in derivatives.iter_mut().enumerate().take(grid.len()) {
@@ -71,19 +72,20 @@ pub fn derivatives(grid: &[f64], values: &[f64]) -> [f64; MAX_GRID] {
     derivatives
 }
 
-/// Reduces the derivatives of the forces at one grid value, so that the forces do not decrease with velocity.
+/// Reduces the derivatives of the FV table's forces with respect to the setting at one grid value. The interpolated
+/// forces then do not decrease with velocity.
 ///
 /// `rises` is the force of the next point minus the force of a point, for each point except the last. `before` and
-/// `after` are the lengths of the intervals on both sides, infinite for a missing interval.
+/// `after` are the lengths of the grid intervals on both sides, infinite for a missing interval.
 ///
-/// Positive and negative derivatives are limited separately. Two sweeps find the largest derivatives that do not exceed
-/// their targets. The change of the derivative from a point to the next stays between −3 `rises`/`after` and
-/// 3 `rises`/`before`. Between points whose derivatives have different signs, each derivative may use half of this
-/// range.
+/// Positive and negative derivatives are limited separately. Two sweeps over the points find the largest derivatives
+/// that do not exceed the given ones. The change of the derivative from a point to the next stays between −3
+/// `rises`/`after` and 3 `rises`/`before`. Between points whose derivatives have different signs, each derivative may
+/// use half of this range.
 pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64, after: f64) {
     let count = derivatives.len();
     let sign_at = |derivatives: &[f64], point: usize| derivatives.get(point).copied().unwrap_or(0.0);
-    // The reduced derivatives still show the signs of the targets, because no derivative changes its sign.
+    // The reduced derivatives still have the signs of the given ones, because no derivative changes its sign.
     for sign in [1.0, -1.0] {
         let room = |derivatives: &[f64], point: usize| {
             let mixed = sign_at(derivatives, point) * sign_at(derivatives, point + 1) < 0.0;
@@ -106,7 +108,8 @@ pub fn limit(derivatives: &mut [f64], rises: impl Fn(usize) -> f64, before: f64,
     }
 }
 
-/// Limits a derivative of the given sign to a magnitude. A derivative of the opposite sign does not change.
+/// Limits the derivative at `point` to the magnitude `most` if it has the sign `sign`. A derivative of the opposite
+/// sign does not change.
 fn reduce(derivatives: &mut [f64], point: usize, sign: f64, most: f64) {
     if let Some(derivative) = derivatives.get_mut(point)
         && sign * *derivative > most
@@ -151,7 +154,8 @@ mod tests {
             for s in &GRID[1..count - 1] {
                 let e = 1e-7;
                 let (left, right) = ((at(*s) - at(s - e)) / e, (at(s + e) - at(*s)) / e);
-                // Over the distance e the derivative itself changes by e times the curvature.
+                // The tolerance covers the change of the derivative over the distance e, which is e times the
+                // curvature.
                 assert!((left - right).abs() < 1e-2 * (1.0 + left.abs()), "{left} {right} at {s}");
             }
             // Outside the grid the setting is clamped.

@@ -1,4 +1,5 @@
-//! Elements of the family at a setting: borrowed unchanged, or prepared from the interpolated parameters.
+//! Elements of a family of dampers at one setting: borrowed from the family, or prepared from the interpolated
+//! parameters.
 
 use super::section::{Lent, Passage};
 use crate::elements::parallel_spring::ParallelSpring;
@@ -8,10 +9,11 @@ use crate::schema::View;
 
 /// Source of the parameter values at a setting.
 pub(crate) trait Numbers {
-    /// Returns whether an element depends on the setting.
+    /// Returns whether the element of a group depends on the setting.
     fn vary(&self, group: usize) -> bool;
 
-    /// Writes the interpolated parameters of a group into its slots, which already contain the constant parameters.
+    /// Writes the interpolated parameters of a group into `slots`, which already contain the group's constant
+    /// parameters. `first_slot` is the slot of the first one in the whole set.
     fn put(&self, group: usize, first_slot: usize, slots: &mut [f64]);
 
     /// Returns the parameter set with the constant values.
@@ -38,7 +40,7 @@ pub(crate) use numbers_at_setting;
 /// setting.
 ///
 /// A prepared element is stored in `renewed`. Interpolated parameters between two valid sets are usually valid. If they
-/// are invalid, the element of the family applies.
+/// are invalid, the element of the family at its start setting applies.
 macro_rules! kept {
     ($of:ident, $numbers:ident, $renewed:ident, $name:ident, $Type:ty) => {
         if $numbers.vary(Place::$name as usize) {
@@ -75,7 +77,7 @@ impl ParallelSpring {
         self.with_table(self.table())
     }
 
-    /// Returns the spring with the parameters at a setting. Its table does not depend on the setting.
+    /// Returns the spring with the parameters `numbers` at a setting. Its table does not depend on the setting.
     #[inline(always)]
     pub(crate) fn renewed(&self, numbers: &View<ParallelSpring>) -> ParallelSpring<Lent<'_>> {
         let mut spring = self.lent();
@@ -91,8 +93,8 @@ impl ValveHysteresis {
         self.with_conductance(Passage::Table(self.conductance()))
     }
 
-    /// Returns the valve with the parameters at a setting. The conductance of its passage is computed from the FV
-    /// curve.
+    /// Returns the valve with the parameters `numbers` at a setting. The conductance of its passage is computed from
+    /// the FV curve.
     #[inline(always)]
     pub(crate) fn renewed<'a>(&self, numbers: &View<ValveHysteresis>) -> ValveHysteresis<Lent<'a>> {
         let valve: ValveHysteresis<Lent<'_>> = ValveHysteresis::of(numbers, Passage::From(0.0));

@@ -1,7 +1,7 @@
 //! Adjustable dampers: their parameters depend on a setting.
 //!
-//! The setting is, for example, the current of a semi-active valve, the click of an adjuster or a gas pressure. In a
-//! family, some parameters and the forces of the FV table are given over a grid of settings:
+//! The setting is, for example, the current of a semi-active valve, the click of an adjuster or a gas pressure. In such
+//! a family of dampers, some parameters and the forces of the FV table are given over a grid of settings:
 //!
 //! | file | content |
 //! |---|---|
@@ -14,7 +14,7 @@
 //!
 //! # Why parameters are interpolated instead of forces
 //! At every setting, the family equals an ordinary damper with interpolated parameters ([`axis::Axis::params_at`]) and
-//! one set of internal states. Two alternatives were rejected:
+//! one set of internal states. Two alternatives, which blend forces, were rejected:
 //!
 //! - Blended forces of one model per grid value, each with its own states. Friction, oil and mass would have a separate
 //!   history for each setting, unlike any damper. A step would cost twice as much.

@@ -22,18 +22,19 @@ use crate::{Partials, element, list, number};
 
 /// Step of the central differences with respect to the setting, as a fraction of the grid's range.
 ///
-/// The forces have a relative accuracy of 1e-13, so a step of 1e-6 gives seven valid digits.
+/// The forces have a relative accuracy of 1e-13, so a step of 1e-6 gives derivatives with seven valid digits.
 const NEAR: f64 = 1e-6;
-/// Step length at which the costs of the integration methods are compared, s: see [`crate::integration`].
+/// Host step, s, at which the costs of the integration methods at the grid values are compared: see
+/// [`crate::integration`].
 const COMPARED_AT: f64 = 1e-3;
 
 /// Elements in which a parameter with value 0 switches off a part of the element and its state.
 const SWITCHED_BY_NUMBERS: [Element; 2] = [element!("bushing"), element!("oil_compressibility")];
 
-/// Number of points of an FV curve below which a [`Section`] reads only this many entries of its arrays.
+/// Number of points of an FV curve below which a [`Section`] reads at most this many entries of its arrays.
 const FEW_POINTS: usize = 16;
 
-/// A parameter and its interpolation over the setting.
+/// A parameter that depends on the setting, and its interpolation over the grid.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 struct Interpolated {
@@ -79,28 +80,29 @@ pub struct Family {
     /// Parameters that depend on the setting, in the order of the parameter table.
     numbers: [Interpolated; MAX_NUMBERS],
     used: u64,
-    /// Whether the moving mass is added to an internal mass that depends on the setting.
+    /// Whether a moving mass inside the damper must be added to the internal mass at each setting.
     has_mass_inside: bool,
     fv: Fv,
     /// Points of the FV curve at the start setting, and the interpolation between them.
     points: Points,
     point_count: u64,
     interpolation: Interpolation,
-    /// Forces of the points at each grid value, and their derivatives with respect to the setting.
+    /// Forces of the FV curve's points at each grid value, N, and their derivatives with respect to the setting.
     forces: [[f64; ROOM]; MAX_GRID],
     derivatives: [[f64; ROOM]; MAX_GRID],
     layout: f64,
-    /// Index of the actuator's first state among the internal states.
+    /// Index of the actuator's first state, the lagged setting, among the internal states.
     lagged_at: u64,
 }
 
-/// Derivatives of force and rates with respect to the commanded setting, at constant states.
+/// Derivatives of force and state derivatives (rates) with respect to the commanded setting, at constant states.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct BySetting {
-    /// dF/d(setting). 0 if the actuator has a lag, because the force then depends on the actuator's states instead.
+    /// Derivative of the force with respect to the commanded setting, N per unit of the setting. It is 0 if the
+    /// actuator has a lag, because the force then depends on the actuator's states instead.
     pub force: f64,
-    /// d(rate of state i)/d(setting).
+    /// Derivatives of the rates of the states with respect to the commanded setting.
     pub rate: [f64; 10],
 }
 
@@ -109,7 +111,7 @@ impl BySetting {
     pub const ZERO: BySetting = BySetting { force: 0.0, rate: [0.0; 10] };
 }
 
-/// The parameters of a family at a position on its grid.
+/// The parameters of a family at one setting.
 struct At<'a> {
     family: &'a Family,
     place: Place,
@@ -128,7 +130,8 @@ impl Numbers for At<'_> {
                 && let Some(slot) = slots.get_mut((number.slot as usize).wrapping_sub(first_slot))
             {
                 let value = self.place.value(&number.values, &number.derivatives);
-                // Both neighboring grid values lie within the limits, so only rounding can move the value beyond them.
+                // The parameter's values at both neighboring grid values lie within its bounds, so only rounding can
+                // move the value beyond them.
                 *slot = min(number.high, max(number.low, value));
             }
         }
@@ -166,7 +169,7 @@ impl At<'_> {
     }
 }
 
-/// Returns the number of stages of a host step of [`COMPARED_AT`], as a measure of its cost.
+/// Returns the number of stages of a host step of length [`COMPARED_AT`], as a measure of the cost of an integration.
 fn stages(integration: &Integration) -> u32 {
     let substeps = integration.substeps(COMPARED_AT);
     substeps * integration.method_of(COMPARED_AT, substeps, || 1.0).stages()
@@ -256,7 +259,7 @@ impl Family {
         self.start = axis.start();
         self.actuator = axis.actuator();
         self.set_numbers(axis);
-        // Choose the most expensive of the methods at the grid values, which is accurate enough at all of them.
+        // Choose the most expensive of the integrations at the grid values, which is accurate enough at all of them.
         let mut chosen = Integration::OFF;
         let mut cheap_up_to = f64::INFINITY;
         for (index, setting) in grid.iter().enumerate() {
@@ -341,7 +344,7 @@ impl Family {
                 }
             }
         }
-        // The curve at a setting is computed from its points, so it needs no preparation with the small elements.
+        // The FV curve at a setting is computed from its points, so it needs no preparation with the small elements.
         self.varying &= !curve.bit();
     }
 
@@ -374,14 +377,14 @@ impl Family {
         setting < low || setting > high
     }
 
-    /// Returns the number of states that a solver of the host integrates: the damper's states, followed by the
-    /// actuator's.
+    /// Returns the number of states that a solver of the host integrates: the damper's states, followed by those of the
+    /// actuator.
     pub fn states(&self) -> usize {
         self.model.states() + usize::from(self.actuator.has_lag()) + usize::from(self.actuator.has_hysteresis())
     }
 
     /// Returns name and unit of state `index`: see [`Model::state_name`]. The unit `setting` stands for the unit of the
-    /// axis.
+    /// setting.
     pub fn state_name(&self, index: usize) -> Option<(&'static str, &'static str)> {
         let own = index.checked_sub(self.model.states());
         match own {
@@ -423,7 +426,7 @@ impl Family {
         if self.actuator.has_lag() { self.actuator.setting(&self.stand(state)) } else { self.command(setting) }
     }
 
-    /// Evaluates `question` for the damper at a setting. This damper exists only during the call.
+    /// Calls `question` with the damper at a setting. This damper exists only during the call.
     #[inline(always)]
     fn ask<R>(&self, setting: f64, question: impl FnOnce(&Model<Lent<'_>>) -> R) -> R {
         let place = Place::new(&self.grid, self.count as usize, setting);
@@ -456,14 +459,15 @@ impl Family {
         question(&model)
     }
 
-    /// Interpolates the forces of the FV table at a grid position; forces after the last point have no meaning.
+    /// Interpolates the forces of the FV table at a position between grid values; forces after the last point have no
+    /// meaning.
     #[inline(always)]
     fn forces_at(&self, place: &Place, forces: &mut [f64; ROOM]) {
         let (from, to) = (place.interval & (MAX_GRID - 1), (place.interval + 1) & (MAX_GRID - 1));
         let [w0, w1, w2, w3] = place.weights;
         let (f0, f1, d0, d1) = (&self.forces[from], &self.forces[to], &self.derivatives[from], &self.derivatives[to]);
         let value = |point: usize| (w0 * f0[point] + w1 * f1[point]) + (w2 * d0[point] + w3 * d1[point]);
-        // Most tables have fewer than 16 points. A section then reads nothing after the sixteenth.
+        // Most tables have fewer than 16 points. A section then reads no force after the sixteenth.
         for (point, force) in forces.iter_mut().enumerate().take(FEW_POINTS) {
             *force = value(point);
         }
@@ -474,8 +478,8 @@ impl Family {
         }
     }
 
-    /// Computes the points of an FV curve given by derivatives and knees, at a grid position. Not inlined, because such
-    /// curves are rare.
+    /// Computes the points of a piecewise-linear FV curve, given by derivatives and knees, at a setting. Not inlined,
+    /// because such curves are rare.
     #[inline(never)]
     fn knees_at(&self, at: &At) -> Points {
         let group = element!("fv_curve").place();
@@ -492,7 +496,8 @@ impl Family {
         points
     }
 
-    /// Returns the equilibrium state after the setting has been commanded for a long time: see [`Model::steady_state`].
+    /// Returns the equilibrium state after the command `setting` has been constant for a long time: see
+    /// [`Model::steady_state`].
     #[inline(never)]
     pub fn steady_state(&self, input: &Input, setting: Option<f64>) -> State {
         let command = self.command(setting);
@@ -507,7 +512,7 @@ impl Family {
         }
     }
 
-    /// Returns the dead-time buffer after the setting has been commanded for a long time.
+    /// Returns the dead-time buffer after the command `setting` has been constant for a long time.
     pub fn steady_delay(&self, setting: Option<f64>) -> Delay {
         Delay::constant(self.command(setting))
     }
@@ -550,13 +555,13 @@ impl Family {
         self.step_at(self.command(setting), state, to, dt, output, derivatives)
     }
 
-    /// Steps at an actual setting from a state of this family.
+    /// Steps at the actual setting `at` from a state in the layout of this family.
     #[inline(never)]
     fn step_at(&self, at: f64, state: &mut State, to: &Input, dt: f64, output: &mut Output, derivatives: bool) -> bool {
         self.ask(at, |model| step_borrowed(model, state, to, dt, output, derivatives))
     }
 
-    /// Steps with the actuator's dynamics, or from a state with the layout of other elements.
+    /// Takes a step with the dynamics of the actuator, or from a state with the layout of other elements.
     #[inline(never)]
     #[allow(clippy::too_many_arguments)]
     fn step_behind_actuator(
@@ -631,7 +636,8 @@ impl Family {
         self.difference(at, |setting| force(setting).map(|force| [force])).map(|[by]| by)
     }
 
-    /// Computes central differences with respect to the setting, inside the grid.
+    /// Computes the derivatives of `numbers` with respect to the setting, by central differences inside the grid.
+    /// `None` if a value is not finite.
     #[inline(always)]
     fn difference<const N: usize>(
         &self,
@@ -651,7 +657,7 @@ impl Family {
     }
 
     /// Evaluates force and rates of the damper at a setting. Neither this function nor `partials_at` is inlined, so
-    /// that its stack space is freed on return.
+    /// that the stack space of each is freed on return.
     #[inline(never)]
     fn evaluate_at(&self, at: f64, state: &State, input: &Input) -> (Output, State) {
         self.ask(at, |model| evaluate_of(model, state, input))
@@ -705,7 +711,8 @@ impl Family {
             }
             return (p, by_setting);
         }
-        // The force depends on the actual setting s = y − h z.
+        // The force depends on the actual setting, which is the lagged setting y minus the hysteresis h times its state
+        // z, plus a constant.
         let of = self.actuator.rates(&self.stand(state), self.command(setting));
         let follows_command = !setting.is_some_and(|setting| self.is_outside(setting));
         let (y, h) = (self.lagged_at as usize + 2, self.actuator.hysteresis);

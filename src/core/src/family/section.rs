@@ -7,24 +7,24 @@ use core::fmt::Debug;
 
 use crate::tables::{Conducted, Conduction, ForceLaw, Lookup, Tables};
 
-/// Size of the arrays of a curve: the points, and one entry beyond all of them.
+/// Size of the arrays of a curve: the largest number of points, and one entry beyond all of them.
 pub(crate) const ROOM: usize = MAX_POINTS + 1;
-/// Mask of an index into the arrays.
+/// Mask of an index into the arrays of a curve, which replaces the bounds check.
 const MASK: usize = ROOM - 1;
-/// Abscissa beyond all points.
+/// Abscissa of unused entries, beyond all points.
 const FAR: f64 = f64::MAX;
-/// Largest Householder step, relative to the width of the piece, after which the iteration stops, as in
+/// Largest Householder step, relative to the width of the piece, after which the iteration of `solve` stops, as in
 /// [`Curve::solve`].
 const FEW: f64 = 1e-3;
 
 /// Points of a curve at one setting.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Points {
-    /// Abscissae, and the reciprocal of the distance to the next abscissa. Unused abscissae are larger than any
-    /// argument.
+    /// Abscissae (velocities, m/s), and the reciprocal of the distance to the next abscissa. Unused abscissae are the
+    /// largest finite number.
     pub u: [f64; ROOM],
     pub per: [f64; ROOM],
-    /// Forces.
+    /// Forces of the points, N.
     pub f: [f64; ROOM],
 }
 
@@ -82,7 +82,8 @@ impl<'a> Section<'a> {
         Section { u, per, f, count, interpolation }
     }
 
-    /// Returns the number of points at which `key(u, f)` is at most `r`: the index of the piece that contains `r`.
+    /// Returns the number of points at which `key(u, f)` is at most `r`. It is the index of the piece in which the key,
+    /// which rises from point to point, reaches `r`.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;
@@ -101,7 +102,7 @@ impl<'a> Section<'a> {
         index
     }
 
-    /// Returns the mean derivative between a point and the next.
+    /// Returns the mean derivative of the curve between a point and the next, N s/m.
     #[inline(always)]
     fn chord(&self, point: usize) -> f64 {
         let (from, to) = (point & MASK, (point + 1) & MASK);
@@ -118,14 +119,14 @@ impl<'a> Section<'a> {
         if point + 1 >= self.count {
             return before;
         }
-        // The weights of the harmonic mean, times the reciprocals of both distances.
+        // The weights of the harmonic mean, times the reciprocals of the distances to both neighbors.
         let (r0, r1) = (self.per[(point - 1) & MASK], self.per[point & MASK]);
         let (w0, w1) = (2.0 * r0 + r1, r0 + 2.0 * r1);
         let product = before * after;
         if product > 0.0 { (w0 + w1) * product / (w0 * after + w1 * before) } else { 0.0 }
     }
 
-    /// Returns whether the two sides of the curve have different derivatives at a point.
+    /// Returns whether the curve may have different derivatives on the two sides of a point.
     #[inline(always)]
     fn has_kink_at(&self, point: usize) -> bool {
         self.interpolation == Interpolation::CubicEachSide && self.u[point & MASK] == 0.0
@@ -138,7 +139,7 @@ impl<'a> Section<'a> {
     fn derivative_of_side(&self, near: usize, far: Option<usize>) -> f64 {
         let d0 = self.chord(near);
         let Some(far) = far else { return d0 };
-        // h0 / (h0 + h1), computed from the reciprocals of h0 and h1.
+        // The last factor is h0/(h0 + h1) with the widths h0 and h1 of both pieces, computed from their reciprocals.
         let (r0, r1) = (self.per[near & MASK], self.per[far & MASK]);
         max(0.0, d0 + (d0 - self.chord(far)) * (r1 / (r0 + r1)))
     }
@@ -170,7 +171,7 @@ impl<'a> Section<'a> {
             let c3 = (m0 + m1 - 2.0 * chord) * (per * per);
             return Piece { u0, f0, c1: m0, c2, c3, low: 0.0, high, chord };
         }
-        // Beyond its ends the curve is linear; without points it is zero everywhere.
+        // Beyond its first and last point the curve is linear; without points it is zero everywhere.
         if self.count < 2 {
             return Piece { u0: 0.0, f0: 0.0, c1: 0.0, c2: 0.0, c3: 0.0, low: -FAR, high: FAR, chord: 0.0 };
         }
@@ -219,7 +220,7 @@ impl ForceLaw for Section<'_> {
         self.evaluate(0.0).value
     }
 
-    /// Solves `a u + f(u) = r`: returns the velocity and the value of the curve there.
+    /// Solves `a u + f(u) = r`: returns the velocity u, m/s, and value and derivative of the curve there.
     #[inline(always)]
     fn solve<const STEPS: usize>(&self, a: f64, r: f64) -> (f64, Value) {
         let p = self.piece(self.locate(r, |u, f| a * u + f));
@@ -248,13 +249,13 @@ impl ForceLaw for Section<'_> {
     }
 }
 
-/// Conductance of a lagging valve.
+/// Conductance of a lagging valve's passage at one setting.
 #[derive(Clone, Copy, Debug)]
 pub enum Passage<'a> {
-    /// The table of the family.
+    /// The table of the family, if neither the curve nor the valve depends on the setting.
     Table(&'a Conductance),
     /// Values computed from the FV curve, if the curve or the valve depends on the setting. They equal those of a table
-    /// whose first node is at this force, N.
+    /// that begins at this force, N.
     From(f64),
 }
 

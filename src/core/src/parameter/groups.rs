@@ -1,10 +1,10 @@
-//! The groups of the table: the rows of each element, and its position in the model.
+//! The groups of the parameter table: the rows of each element, and its position in the model.
 
 use crate::list::each_element;
 use crate::schema::{Describe, Group};
 use crate::tables::Owned as T;
 
-/// Position of an element in the model; corresponds to the blocks of the list.
+/// Position of an element in the model; corresponds to the blocks of the element list ([`mod@crate::list`]).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Acts {
     /// The FV curve.
@@ -29,7 +29,7 @@ pub enum Acts {
     Nowhere,
 }
 
-/// Expands the list of elements into the groups of the table.
+/// Expands the list of elements into the groups of the parameter table.
 macro_rules! groups {
     (
         primary { $primary:ident: $Primary:ty }
@@ -45,12 +45,13 @@ macro_rules! groups {
         default { $($default:ident,)* }
         settings { $settings:ident: $Settings:ty }
     ) => {
-        /// Indices of the elements in the table's groups.
+        /// Indices of the elements in [`GROUPS`].
         #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
         #[derive(Clone, Copy)]
         pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($stateful,)* $($stop,)* $settings }
 
-        /// Groups of the parameter table: the elements in the order of the list, then the settings of the integration.
+        /// Groups of the parameter table: the elements in the order of the element list, then the settings of the
+        /// integration.
         // This is a static, so that a program contains the texts only once instead of once per crate.
         pub static GROUPS: &[Group] = &[
             Group { name: stringify!($primary), meaning: <$Primary>::MEANING, parameters: <$Primary>::PARAMETERS },
@@ -90,17 +91,17 @@ macro_rules! groups {
             ACTS.get(group).copied().unwrap_or(Acts::Nowhere)
         }
 
-        /// Number of elements, which is the number of groups without the settings.
+        /// Number of elements, which is the number of groups without that of the integration's settings.
         pub const ELEMENTS: usize = Place::$settings as usize;
 
-        /// Bit set of the elements of the default model.
+        /// Bit set of the elements of the default model; the bit of an element is its index in [`GROUPS`].
         pub const DEFAULT_ON: u64 = 0 $(| 1 << Place::$default as usize)*;
     };
 }
 
 each_element!(groups);
 
-/// Returns the names of all elements, in the order of the list.
+/// Returns the names of all elements, in the order of the element list.
 pub fn names() -> impl Iterator<Item = &'static str> {
     GROUPS.iter().take(ELEMENTS).map(|group| group.name)
 }

@@ -2,7 +2,7 @@
 //!
 //! The compiler looks up names in code through [`crate::number!`], [`crate::list!`] and [`crate::element!`]. A name
 //! that is not in the table, or that has another kind of value, is a compile error. `find` looks up a name at run time
-//! (from a model file, C, a command line) and returns the same types.
+//! (from a model file, C, a command line) and returns the same identifier types.
 
 use core::fmt;
 use core::hash::{Hash, Hasher};
@@ -14,7 +14,7 @@ use crate::parameter::row::{Row, find};
 use crate::schema::kind::{Kind, Many, OTHER_KIND, One, same};
 use crate::schema::{Group, Parameter};
 
-/// Identifier of a row of the table whose value has the kind `K`.
+/// Identifier of a row of the parameter table whose value has the kind `K`: a number or a list.
 #[derive(Clone, Copy)]
 pub struct Id<K> {
     row: Row,
@@ -51,7 +51,7 @@ impl<K: Kind> Id<K> {
     /// Finds the row of a name that is known only at run time.
     ///
     /// # Errors
-    /// Returns an error if no row has that name, or if its value has another kind.
+    /// Returns an error if no row has that name, or if the row is a list where a number is meant, or the reverse.
     pub fn find(name: &str) -> Result<Id<K>, Fault> {
         find(name).ok_or(UNKNOWN)?.try_into()
     }
@@ -61,12 +61,12 @@ impl<K: Kind> Id<K> {
         self.row.parameter.name
     }
 
-    /// Returns unit, bounds, default and meaning.
+    /// Returns the parameter of the row: unit, bounds, default and meaning.
     pub const fn parameter(self) -> &'static Parameter {
         self.row.parameter
     }
 
-    /// Returns the smallest and the largest allowed value.
+    /// Returns the smallest and the largest allowed value of the parameter.
     pub const fn bounds(self) -> (f64, f64) {
         (self.row.parameter.low, self.row.parameter.high)
     }
@@ -83,7 +83,7 @@ impl<K: Kind> Id<K> {
 }
 
 impl Number {
-    /// Clamps a value to the bounds; NaN stays NaN.
+    /// Clamps a value to the bounds of the parameter; NaN stays NaN.
     pub fn inside(self, value: f64) -> f64 {
         let (low, high) = self.bounds();
         if value < low {
@@ -95,16 +95,16 @@ impl Number {
         }
     }
 
-    /// Returns the default.
+    /// Returns the default value.
     pub fn default(self) -> f64 {
         self.row.parameter.default.first().copied().unwrap_or(f64::NAN)
     }
 }
 
-/// Error for a name that is not in the table.
+/// Error for a name that is not in the parameter table.
 const UNKNOWN: Fault = Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName };
 
-/// Rejects a row whose value has another kind.
+/// Conversion of a row to an identifier; rejects a list where a number is meant, and the reverse.
 impl<K: Kind> TryFrom<Row> for Id<K> {
     type Error = Fault;
 
@@ -177,12 +177,13 @@ impl Element {
         Element::all().find(|element| element.name() == name).ok_or(UNKNOWN)
     }
 
-    /// Returns all elements, in the order of the list.
+    /// Returns all elements, in the order of the element list ([`mod@crate::list`]).
     pub fn all() -> impl Iterator<Item = Element> {
         GROUPS.iter().take(ELEMENTS).enumerate().map(|(place, group)| Element { place, group })
     }
 
-    /// Returns the element of the group with index `place`, or `None` for the group of the integration.
+    /// Returns the element of the group with index `place`. `None` for the group of the integration's settings and
+    /// beyond.
     pub fn of_group(place: usize) -> Option<Element> {
         Element::all().nth(place)
     }
@@ -208,7 +209,7 @@ impl Element {
 }
 
 impl Row {
-    /// Returns the element of this row; `None` for the settings.
+    /// Returns the element of this row; `None` for a row of the integration's settings.
     pub fn element(&self) -> Option<Element> {
         Element::of_group(self.group)
     }
@@ -231,7 +232,7 @@ impl Hash for Element {
 /// Formats the name in quotes.
 impl fmt::Debug for Element {
     // The formatting can panic. An inline function is compiled only where code calls it, so the library does not
-    // contain it.
+    // contain this panic.
     #[inline]
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         fmt::Debug::fmt(self.name(), f)
@@ -322,7 +323,7 @@ macro_rules! list {
 /// let element = element!("bushings");
 /// ```
 ///
-/// The name of the settings, which are always on, is also a compile error:
+/// The name of the integration's settings, which are always on, is also a compile error:
 ///
 /// ```compile_fail,E0080
 /// # use dashpot_core::element;

@@ -4,7 +4,7 @@ use crate::fault::{Fault, Reason};
 use crate::parameter::groups::GROUPS;
 use crate::schema::Parameter;
 
-/// Number of rows of the table.
+/// Number of rows of the parameter table.
 pub const COUNT: usize = {
     let (mut n, mut g) = (0, 0);
     while g < GROUPS.len() {
@@ -28,7 +28,7 @@ pub const SLOTS: usize = {
     n
 };
 
-/// Returns the index of the first row of a group, and the slot of its first value.
+/// Returns the table index of the first row of a group, and the slot of its first value.
 pub(crate) const fn start_of(group: usize) -> (usize, usize) {
     let (mut index, mut slot, mut g) = (0, 0, 0);
     while g < group {
@@ -39,7 +39,7 @@ pub(crate) const fn start_of(group: usize) -> (usize, usize) {
     (index, slot)
 }
 
-/// Returns the number of values of these rows.
+/// Returns the number of values of these rows, with every list at its capacity.
 pub(crate) const fn slots_of(rows: &[Parameter]) -> usize {
     let (mut slots, mut row) = (0, 0);
     while row < rows.len() {
@@ -49,7 +49,7 @@ pub(crate) const fn slots_of(rows: &[Parameter]) -> usize {
     slots
 }
 
-/// Returns all rows in order, each with its group and the slot of its first value.
+/// Returns all rows of the parameter table in order, each with its group and the slot of its first value.
 pub fn table() -> impl Iterator<Item = Row> {
     Rows { index: 0, group: 0, local: 0, slot: 0 }
 }
@@ -83,7 +83,7 @@ impl Iterator for Rows {
 /// A row of [`table`].
 #[derive(Clone, Copy, Debug)]
 pub struct Row {
-    /// Index in the table.
+    /// Index of the row in the parameter table.
     pub index: usize,
     /// Index of the row's group in [`GROUPS`].
     pub group: usize,

@@ -25,7 +25,8 @@ impl Params {
     /// A set without values, which the caller must fill completely.
     pub(crate) const BLANK: Params = Params { elements: 0, lengths: [0; COUNT], values: [0.0; SLOTS] };
 
-    /// Returns the defaults of the table, with the elements of the default model on (Jonnalagadda & Vyas, KTH 2020).
+    /// Returns the defaults of the parameter table, with the elements of the default model on (Jonnalagadda & Vyas, KTH
+    /// 2020).
     pub fn new() -> Params {
         let mut params = Params::BLANK;
         params.set_defaults();
@@ -73,12 +74,12 @@ impl Params {
         View::new(first, self.lengths.get(first..).unwrap_or(&[]), self.values.get(slot..).unwrap_or(&[]))
     }
 
-    /// Returns the values in `count` slots from slot `from` on.
+    /// Returns `count` values of the set from slot `from` on; a slot is the index of a value.
     pub(crate) fn slots(&self, from: usize, count: usize) -> &[f64] {
         self.values.get(from..).and_then(|tail| tail.get(..count)).unwrap_or(&[])
     }
 
-    /// Returns the lengths of the rows from `first` on.
+    /// Returns the numbers of values of the rows from the table index `first` on.
     pub(crate) fn lengths(&self, first: usize) -> &[u32] {
         self.lengths.get(first..).unwrap_or(&[])
     }
@@ -106,7 +107,8 @@ impl Params {
         Ok(())
     }
 
-    /// Checks every value against the table. A parameter set that the setters filled needs no check.
+    /// Checks every value against the table. A parameter set that [`Params::set`] and [`Params::set_list`] filled needs
+    /// no check.
     ///
     /// # Errors
     /// Returns the first parameter with a value that the table does not allow.
@@ -139,14 +141,14 @@ impl Params {
         self.elements & element.bit() != 0
     }
 
-    /// Returns whether a parameter affects the damper. It must belong to the integration or to an element that is on. A
-    /// parameter of one form also requires that this form is chosen.
+    /// Returns whether a parameter affects the damper. It must belong to the settings of the integration or to an
+    /// element that is on. A parameter of some forms of its element also requires that such a form is chosen.
     pub fn counts(&self, row: &Row) -> bool {
         row.element().is_none_or(|element| self.is_on(element)) && self.is_of_form(row)
     }
 
     /// Returns whether a parameter belongs to the chosen form of its element, even if the element is off. A parameter
-    /// without a form belongs to all.
+    /// that is restricted to no form belongs to all.
     pub fn is_of_form(&self, row: &Row) -> bool {
         row.parameter.form.is_none_or(|(choice, words)| {
             let chosen = table().find(|other| other.group == row.group && other.parameter.name == choice);
@@ -159,13 +161,13 @@ impl Params {
         })
     }
 
-    /// Returns the elements that are on, one bit each in the order of the table's groups.
+    /// Returns the elements that are on, one bit each in the order of the parameter table's groups.
     pub(crate) fn elements(&self) -> u64 {
         self.elements
     }
 }
 
-/// Checks the values of a row against the table.
+/// Checks values for a row against the bounds of the parameter table.
 pub(crate) fn check(row: &Row, values: &[f64]) -> Result<(), Fault> {
     let p = row.parameter;
     let fault = |reason| Err(row.fault(reason));

@@ -1,5 +1,5 @@
-//! Elements of the force path that act in a stage, and the nonlinearity of their forces. The stages of common sets of
-//! elements are compiled separately.
+//! Elements of the force path that act in a stage of the step, and the nonlinearity of their forces. The stages of
+//! common sets of elements are compiled separately.
 
 use super::Paths;
 use super::bits::{
@@ -9,7 +9,7 @@ use super::bits::{
 use super::slots::place;
 use crate::tables::Tables;
 
-/// Elements that only scale the FV curve, by a factor that changes slowly.
+/// Elements that only scale the FV curve, by a factor that changes slowly: fade and self-heating.
 const FACTORS: u32 = FADE | HEAT;
 
 /// Returns whether an element is on that makes the force more nonlinear within a step than the FV curve and the series
@@ -18,10 +18,11 @@ pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
     e.acting() & !(SERIES | FACTORS) != 0
 }
 
-/// Nonlinearity that the elements of the paths cause within a step, in ascending order.
+/// Nonlinearity that the elements of the force paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Bends {
-    /// Little: no element, an element that scales the FV curve slowly, or a flow or valve that smooths its own knee.
+    /// Little: no element besides the FV curve and the series compliance, or a fade of the FV curve. Also a bypass flow
+    /// or a lagging valve in the opening form, which smooths its own knee.
     Little,
     /// A bushing alone.
     Smoothly,
@@ -29,10 +30,10 @@ pub(crate) enum Bends {
     Knee,
     /// A void, air, a valve with mass, or several elements.
     Several,
-    /// An oil column whose stiffness changes with the sign of the force. Also a column without a void together with an
-    /// element other than air.
+    /// An oil column whose stiffness changes with the sign of the force, or an oil column together with an element
+    /// other than air and void.
     Turning,
-    /// Friction that reverses behind the series spring.
+    /// Friction behind the series spring, which reverses within a short displacement.
     Whole,
 }
 
@@ -57,8 +58,8 @@ pub(crate) fn is_nonlinear(e: &Paths<impl Tables>) -> Bends {
 /// Elements that only modify other elements and have no compiled stage of their own. The program tests for them at run
 /// time.
 ///
-/// The test costs at most 1 % more instructions. For the length of the oil column, or for two forms of one element, a
-/// test would cost 4 to 8 %.
+/// The test costs at most 1 % more instructions in a step. For the length of the oil column, or for two forms of one
+/// element, a test would cost 4 to 8 %.
 const ADDED: u32 = AIR | HEAT | SPOOL;
 
 /// Returns whether a stage compiled for the elements `ON` fits an element set.

@@ -1,4 +1,4 @@
-//! Bits of the elements in the force path.
+//! Bits of the elements in the force path and of their forms, from which sets of elements are made.
 
 /// The series compliance.
 pub const SERIES: u32 = 1;
@@ -34,5 +34,5 @@ pub const SLOW_BUSHING: u32 = 1 << 14;
 pub const SPOOL: u32 = 1 << 15;
 /// Friction and gas on the internal mass.
 pub const WHOLE: u32 = 1 << 16;
-/// Any elements; the model determines them at run time.
+/// Set of any elements, for code that is not compiled for a certain set: the model determines its elements at run time.
 pub const ANY: u32 = u32::MAX;

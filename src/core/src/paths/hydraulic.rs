@@ -13,36 +13,37 @@ use core::cell::Cell;
 /// Inputs of the hydraulic path at one instant, in SI units; the temperature is in °C.
 #[derive(Clone, Copy, Debug)]
 pub struct Around<R> {
-    /// Displacement of the moving end.
+    /// Displacement of the moving end, m.
     pub x: R,
-    /// Velocity of the moving end.
+    /// Velocity of the moving end, m/s.
     pub v: R,
-    /// Side force that the host gives.
+    /// Side force that the host gives, N.
     pub side_force: f64,
-    /// Temperature that the host gives.
+    /// Temperature that the host gives, °C.
     pub temperature: f64,
 }
 
 /// Force of the valves, the target of the state of frequency-selective damping, and the valve's state derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow<R> {
-    /// F_h, the force of the valves, N.
+    /// Force F_h of the valves, N.
     pub force: R,
-    /// Value toward which the state of frequency-selective damping relaxes.
+    /// Value toward which the state of frequency-selective damping (filter and stroke forms) relaxes.
     pub selective_target: R,
-    /// Force relative to that at standstill, without the lag of the valve.
+    /// Force of the FV curve with its position and temperature factors, relative to that at standstill, N: before the
+    /// lagging valve.
     pub before_valve: R,
     /// Time derivatives of the two states of the valve; 0 without a valve, and the second one 0 without mass.
     pub valve_rates: [R; 2],
 }
 
-/// Resistance, N s/m, added to the FV curve if there is an oil column. It makes the velocity unique where the curve is
-/// horizontal.
-/// The value is far too small to be measured.
+/// Resistance, N s/m, added to the FV curve if there is an oil column. It makes the oil velocity at a given force
+/// unique where the curve is horizontal. The resistance is far too small to be measured.
 const LEAKAGE: f64 = 0.01;
 
-/// Computes F_h = N(s F_d(w)) at given states, where `curve` is F_d(w). s is the product of the factors for position
-/// and temperature. N stands for the lagging valve and frequency-selective damping.
+/// Computes the hydraulic force F_h = N(s F_d(w)) at given states, where `curve` is the FV force F_d(w), N, at the oil
+/// velocity `w`, m/s. N stands for the lagging valve and frequency-selective damping, and s is the product of the
+/// factors for position and temperature.
 ///
 /// `standing` is the FV curve's force at standstill. No flow causes it, so s and N do not change it.
 #[inline(always)]
@@ -78,12 +79,14 @@ pub fn flow<R: Real>(
     Flow { force, selective_target, before_valve, valve_rates }
 }
 
-/// The factors s on F_d in a stage, for position and temperature. They do not depend on the unknowns of the stage.
+/// The factors on the FV force in a stage, for position and temperature. They do not depend on the unknowns of the
+/// stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Factors {
-    /// Factors for the compression and the rebound stroke, with their derivatives with respect to displacement.
+    /// Position factors for the compression and the rebound stroke, each with its derivative with respect to
+    /// displacement, 1/m.
     strokes: [[f64; 2]; 2],
-    /// Factor for temperature, with its derivative with respect to the temperature rise.
+    /// Temperature factor, with its derivative with respect to the temperature rise by self-heating, 1/K.
     fade: [f64; 2],
 }
 
@@ -105,35 +108,36 @@ impl Factors {
 
 /// The valve force after an implicit stage, with the derivatives of each of the three effects in series.
 ///
-/// The effects are, in this order: the position and temperature factors of F_d; the lagging valve; frequency-selective
-/// damping.
+/// The effects are, in this order: the position and temperature factors of the FV force F_d; the lagging valve;
+/// frequency-selective damping.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Valves {
-    /// F_h.
+    /// Force F_h of the valves, N.
     pub force: f64,
     /// State of the valve after the stage.
     pub valve: f64,
     /// State of frequency-selective damping after the stage.
     pub selective: f64,
-    /// ∂F_h/∂F_d and ∂F_h/∂w.
+    /// Derivatives of the valve force F_h with respect to the FV force F_d and to the oil velocity w.
     pub by_curve: f64,
     pub by_w: f64,
-    /// Derivatives of s F_d with respect to F_d, displacement and temperature rise.
+    /// Derivatives of the FV force with its position and temperature factors, with respect to the FV force,
+    /// displacement and temperature rise.
     scaled_by: [f64; 3],
-    /// Derivatives of the force after the lagging valve. `valve_by` contains those of the valve's position.
+    /// Derivatives of the force after the lagging valve. `valve_by` contains those of the valve's state.
     ///
-    /// The variables are the force before the valve, the known part of its position, and the FV curve's forces at
-    /// `read`. `read` contains the two velocities at which the valve evaluates the curve.
+    /// The variables are the force before the valve, the known part of its state, and the FV curve's forces at `read`.
+    /// `read` contains the two velocities at which the valve evaluates the curve.
     late_by: [f64; 4],
     valve_by: [f64; 4],
     pub read: [f64; 2],
     /// Derivatives of the force after frequency-selective damping. `selective_by` contains those of its state. The
-    /// three variables are: the force before the element; w; the known part of the state.
+    /// three variables are: the force before the element; the oil velocity w; the known part of the state.
     selected_by: [f64; 3],
     selective_by: [f64; 3],
 }
 
-/// Derivatives of the inputs of the valve force in one direction.
+/// Derivatives of the inputs of the valve force with respect to one variable (a direction).
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Moves {
     pub curve: f64,
@@ -141,7 +145,7 @@ pub(crate) struct Moves {
     pub w: f64,
     pub x: f64,
     pub rise: f64,
-    /// The known part of the valve's position, and the forces of the FV curve at the two velocities [`Valves::read`].
+    /// The known part of the valve's state, and the forces of the FV curve at the two velocities [`Valves::read`].
     pub valve: f64,
     pub read: [f64; 2],
     pub selective: f64,
@@ -171,7 +175,7 @@ impl Valves {
     /// Computes the valve force from the `known` parts of the states and the force and velocity of the current
     /// iteration.
     ///
-    /// In the stage, `g` is the factor of the state derivatives; `since` is that of a lagging valve. `raised` is the
+    /// In the stage, `g` is the weight of the state derivatives, s; `since` is that of a lagging valve. `raised` is the
     /// factor by which the valve increased the force in the previous solution. `leaks` is true with an oil column.
     #[inline(always)]
     pub fn stage<const ON: u32>(
@@ -235,8 +239,8 @@ impl Valves {
         valves
     }
 
-    /// Returns the derivatives in the direction `by` of three results: the force, the valve's position, and the state
-    /// of frequency-selective damping.
+    /// Returns the derivatives in the direction `by` of three results: the force, the valve's state, and the state of
+    /// frequency-selective damping.
     #[inline(always)]
     pub fn along<const ON: u32>(&self, e: &Paths<impl Tables>, by: &Moves, leaks: bool) -> [f64; 3] {
         let [factor, by_x, by_rise] = self.scaled_by;
@@ -269,13 +273,14 @@ impl Valves {
     }
 }
 
-/// Returns the oil column on the side of a force or deflection: air in series with oil, and the oil's compliance.
+/// Returns the law of the air in the oil column and the compliance of the oil, m/N. They are those in compression for a
+/// negative `side` (force or deflection), otherwise those in rebound.
 #[inline(always)]
 fn column(e: &Paths<impl Tables>, side: f64) -> (SoftGap, f64) {
     (e.aeration.under(side), e.oil_compressibility.compliance(side))
 }
 
-/// Computes the deflection q of the oil column under the force F_h.
+/// Computes the deflection of the oil column, m, under the hydraulic force `force`, N.
 #[inline(always)]
 pub fn deflection<R: Real>(e: &Paths<impl Tables>, force: R) -> R {
     let (air, compliance) = column(e, force.value());
@@ -291,7 +296,7 @@ pub(crate) fn column_state(e: &Paths<impl Tables>, x: f64, force: f64) -> f64 {
     if e.counts_stroke() { e.oil_compressibility.taken_up(x, q) } else { q }
 }
 
-/// Computes the force F_h = φ_o(q) and the deflection q of an oil column in a given state.
+/// Computes the hydraulic force, N, and the deflection, m, of an oil column in a given state at displacement `x`, m.
 #[inline(always)]
 pub fn column_force<R: Real>(e: &Paths<impl Tables>, x: R, state: R) -> (R, R) {
     let q = if e.counts_stroke() { e.oil_compressibility.deflection(x, state) } else { state };
@@ -299,8 +304,8 @@ pub fn column_force<R: Real>(e: &Paths<impl Tables>, x: R, state: R) -> (R, R) {
     (air.force(R::constant(1.0 / compliance), q).0, q)
 }
 
-/// Computes the state derivative of a column that absorbs the velocity `pressed`, u − w, while the moving end has
-/// velocity v.
+/// Computes the state derivative, m/s, of an oil column that absorbs the velocity `pressed`, m/s: piston velocity minus
+/// oil velocity. The moving end has displacement x and velocity v, and the column has the deflection `deflection`, m.
 #[inline(always)]
 pub fn column_rate<R: Real>(e: &Paths<impl Tables>, [x, v]: [R; 2], deflection: R, pressed: R) -> R {
     if e.counts_stroke() {
@@ -312,13 +317,14 @@ pub fn column_rate<R: Real>(e: &Paths<impl Tables>, [x, v]: [R; 2], deflection: 
 /// The oil column after an implicit stage.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Column {
-    /// State of the column, and its derivatives with respect to F_h and displacement.
+    /// State of the column, m, and its derivatives with respect to the hydraulic force and the displacement.
     pub state: f64,
     pub by_force: f64,
     pub d_state_d_x: f64,
-    /// Contribution of the column to u − w, times g, and its derivatives.
+    /// Contribution of the column to the piston velocity u minus the oil velocity w, times the weight g of the stage,
+    /// and its derivatives.
     ///
-    /// The variables are F_h, the known part of the state, the displacement, and the displacement of the moving end
+    /// The variables are the hydraulic force, the known part of the state, the displacement of the moving end, and that
     /// before the stage.
     pub change: f64,
     pub change_by: [f64; 4],
@@ -328,16 +334,17 @@ impl Column {
     /// A stage without an oil column.
     pub const NONE: Column = Column { state: 0.0, by_force: 0.0, d_state_d_x: 0.0, change: 0.0, change_by: [0.0; 4] };
 
-    /// Computes the column under a force, from the `known` part of its state. In all three kinds of column, u − w
-    /// increases with the force:
+    /// Computes the column after a stage under the hydraulic force `force`, N, from the `known` part of its state. The
+    /// piston has the velocity u, and the oil at the valves the velocity w; g is the weight of the stage. In all three
+    /// kinds of column, u − w increases with the force:
     ///
     /// ```text
     /// q − Q = g (u − w),   ℓ(x) (q − Q) = g (u − w),   s(X, q) − S = g (u − w)
     /// ```
     ///
-    /// q is the deflection, s the absorbed part of the piston stroke. Q and S are the known parts of these states.
-    /// The last kind has two chambers. Its equation is the stage of ds/dt = u − w + v ∂s/∂x. The last term is
-    /// discretized as s(x) − s(X), where the moving end goes `from` X to x.
+    /// q is the deflection, s the absorbed part of the piston stroke, and ℓ the relative length of the column. Q and S
+    /// are the known parts of q and s. The last kind has two chambers. Its equation is the stage of ds/dt = u − w + v
+    /// ∂s/∂x. The last term is discretized as s(x) − s(X), where the moving end goes `from` X to x.
     #[inline(always)]
     pub fn stage<const ON: u32>(e: &Paths<impl Tables>, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
         let (air, compliance) = column(e, force);

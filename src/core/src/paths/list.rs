@@ -3,12 +3,13 @@
 //! - `primary` (the FV curve) and `series` (the compliance with its mass): the two elements that all others extend;
 //! - `series_law`: elements that change the force law of the series compliance (see [`super::series`]);
 //! - `hydraulic`: between the internal mass and the FV curve (see [`super::hydraulic`]);
-//! - `late`: the last hydraulic element, which contains a large table.
+//! - `late`: the last element of the hydraulic list, which contains a large table.
 //!
 //! `T` is the owner of an element's tables ([`crate::tables`]). `T` must be in scope where the list is expanded.
 //!
-//! This folder also defines what the elements share. [`super::slots`] defines their states, [`super::acting`] the
-//! elements that act in a stage, and [`super::Paths::join`] the data that one element passes to another.
+//! The folder of this file also defines what the elements share. [`super::slots`] defines their states,
+//! [`super::acting`] the elements that act in a stage, and [`super::Paths::join`] the data that one element passes to
+//! another.
 
 /// Calls the macro `then!` with the list and with the tokens that follow the macro's name.
 macro_rules! each_path_element {

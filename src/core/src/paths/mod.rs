@@ -8,8 +8,10 @@
 //! F_h = N(s F_d(w)) = φ_o(q),   u = w + b + ℓ dq/dt + σ de/dt       [hydraulic]
 //! ```
 //!
-//! u is the velocity of the internal mass. φ is the elastic law. χ is the closed fraction of the free play's contacts,
-//! 1 without free play. k_1 z and k_2 y are the forces of the relaxing springs of a bushing.
+//! x and v are displacement, m, and velocity, m/s, of the moving end, x_m and u those of the internal mass m. F_s is
+//! the series force, F_p that of the parallel spring, F_h the hydraulic force, and F_d the FV curve. φ is the elastic
+//! law of the series path, and c_s its damping. χ is the closed fraction of the free play's contacts, 1 without free
+//! play. k_1 z and k_2 y are the forces of the relaxing springs of a bushing.
 //!
 //! w is the velocity of the oil through the valves, as a piston velocity, and b the flow that bypasses them. s is the
 //! product of the factors for position and temperature. N stands for the lagging valve and frequency-selective damping.
@@ -45,7 +47,7 @@ use bits::{
 use list::each_path_element;
 pub use slots::{STATES, Slots, place};
 
-/// Expands the list of elements in the force path into their prepared set.
+/// Expands the list of elements in the force path into the struct of the prepared elements.
 macro_rules! gathered {
     (
         primary { $primary:ident: $Primary:ty }
@@ -88,8 +90,8 @@ macro_rules! gathered {
                 }
             };
 
-            /// Bits of the elements of the paths other than the FV curve and the series compliance. If one of them is
-            /// on, the plain step does not apply.
+            /// Bits of the elements of the force paths other than the FV curve and the series compliance. If one of
+            /// them is on, the plain step of [`mod@crate::step`] does not apply.
             pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)* | 1 << Place::$late as usize;
             /// Bit of the series compliance in the set of elements that are on.
             pub(crate) const MASS: u64 = 1 << Place::$series as usize;
@@ -146,7 +148,7 @@ macro_rules! gathered {
                 self.slots = self.laid_out();
             }
 
-            /// Returns the elements at a setting: see [`crate::assembly::Elements::lent`].
+            /// Returns the elements of the force paths at a setting: see [`crate::assembly::Elements::lent`].
             #[inline(always)]
             pub(crate) fn lent<'a>(
                 &'a self,
@@ -173,7 +175,7 @@ macro_rules! gathered {
             }
         }
 
-        /// Elements of the paths that were prepared again for a setting.
+        /// Elements of the force paths that were prepared again for one setting of a family.
         pub(crate) struct RenewedPaths {
             $series: Option<$Series>,
             $($law: Option<$Law>,)*
@@ -181,8 +183,8 @@ macro_rules! gathered {
         }
 
         impl RenewedPaths {
-            /// Returns a set without elements. It is a function, because each use of a constant would copy the whole
-            /// set.
+            /// Returns a set in which no element is prepared. It is a function, because each use of a constant would
+            /// copy the whole set.
             #[inline(always)]
             pub(crate) fn none() -> RenewedPaths {
                 RenewedPaths { $series: None, $($law: None,)* $($hydraulic: None,)* }
@@ -310,7 +312,7 @@ impl<T: Tables> Paths<T> {
     }
 }
 
-/// Data that the elements pass to each other.
+/// Passing of data between the elements.
 impl Paths {
     /// Computes what one element needs from another: the conductance of a lagging valve from the FV curve.
     pub(crate) fn join(&mut self) {

@@ -9,16 +9,16 @@ use crate::tables::Tables;
 /// Parameters of the series spring, damper and mass, as numbers that may carry derivatives.
 #[derive(Clone, Copy, Debug)]
 pub struct Frame<R> {
-    /// k_s.
+    /// Stiffness of the series spring, N/m.
     pub stiffness: R,
-    /// c_s.
+    /// Damping of the series damper, N s/m.
     pub damping: R,
-    /// m.
+    /// Internal mass, kg.
     pub mass: R,
 }
 
 impl<R: Real> Frame<R> {
-    /// Returns k_s, c_s and m of the model, with zero derivatives.
+    /// Returns stiffness, damping and mass of the model, with zero derivatives.
     #[inline(always)]
     pub fn new(e: &Paths<impl Tables>) -> Frame<R> {
         let s = &e.series_compliance;
@@ -26,7 +26,8 @@ impl<R: Real> Frame<R> {
     }
 }
 
-/// Computes the elastic force φ, its derivative φ', and the closed fraction χ of the free play's contact, from 0 to 1.
+/// Computes the elastic force of the series path, N, its derivative, N/m, and the closed fraction of the free play's
+/// contact, from 0 to 1. `stiffness` is that of the series spring, N/m, and `deflection` that of the path, m.
 #[inline(always)]
 fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflection: R) -> (R, R, R) {
     let (mut force, mut derivative, mut closed) = (stiffness * deflection, stiffness, R::constant(1.0));
@@ -40,7 +41,8 @@ fn elastic<const ON: u32, R: Real>(e: &Paths<impl Tables>, stiffness: R, deflect
     (force, derivative, closed)
 }
 
-/// Computes F_s from a deflection, its rate, and the relaxing deflections of a bushing.
+/// Computes the series force, N, from the deflection, m, its rate, m/s, and the two relaxing deflections of a bushing,
+/// m.
 #[inline(always)]
 pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, rate: R, relaxing: [R; 2]) -> R {
     let (elastic, _, closed) = elastic::<ANY, _>(e, frame.stiffness, deflection);
@@ -51,12 +53,14 @@ pub fn force<R: Real>(e: &Paths<impl Tables>, frame: &Frame<R>, deflection: R, r
     force
 }
 
-/// F_s in a stage, with its derivatives.
+/// Series force in a stage of the step, with its derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Derivatived {
-    /// F_s.
+    /// Force of the series path, N.
     pub force: f64,
-    /// Derivatives with respect to deflection, its rate, (k_1 z + k_2 y)/k_s, k_s and c_s, in this order.
+    /// Derivatives of the force with respect to the deflection, its rate, the bushing's relaxing deflection, and the
+    /// stiffness and damping of the series compliance. The relaxing deflection is the force of the relaxing elements
+    /// over the series stiffness.
     pub by_deflection: f64,
     pub by_rate: f64,
     pub by_relaxing: f64,
@@ -76,8 +80,8 @@ impl Derivatived {
     };
 }
 
-/// Computes the force of the series path in a stage, with its derivatives. `relaxing` is (k_1 z + k_2 y)/k_s of a
-/// bushing.
+/// Computes the force of the series path in a stage, with its derivatives, from the deflection, m, and its rate, m/s.
+/// `relaxing` is the force of a bushing's relaxing elements over the series stiffness, m.
 #[inline(always)]
 pub(crate) fn with_derivatives<const ON: u32>(
     e: &Paths<impl Tables>,
@@ -110,13 +114,13 @@ pub(crate) fn with_derivatives<const ON: u32>(
     s
 }
 
-/// Computes the elastic force of the series path and its derivative, N and N/m, for the equilibrium.
+/// Computes the elastic force of the series path, N, and its derivative, N/m, at a deflection, m, for the equilibrium.
 pub fn static_force(e: &Paths<impl Tables>, deflection: f64) -> (f64, f64) {
     let (force, derivative, _) = elastic::<ANY, _>(e, e.series_compliance.stiffness, deflection);
     (force, derivative)
 }
 
-/// Returns an upper bound of the deflection of the series path under a force.
+/// Returns an upper bound of the deflection of the series path, m, under a force, N.
 pub fn furthest(e: &Paths<impl Tables>, force: f64) -> f64 {
     let gap = if e.has_free_play() { e.free_play.furthest() } else { 0.0 };
     force.abs() / e.series_compliance.stiffness + gap

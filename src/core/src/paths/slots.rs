@@ -11,25 +11,25 @@ pub const STATES: usize = 10;
 
 /// Fixed numbers of the coupled states.
 pub mod place {
-    /// Displacement of the internal mass.
+    /// Displacement of the internal mass, m.
     pub const X: usize = 0;
-    /// Velocity of the internal mass.
+    /// Velocity of the internal mass, m/s.
     pub const U: usize = 1;
-    /// Deflection of the bushing's relaxing spring, z.
+    /// Deflection of the bushing's first relaxing element, z, m.
     pub const BUSHING: usize = 2;
-    /// Deflection of the bushing's slowly relaxing spring, y.
+    /// Deflection of the bushing's slowly relaxing element, y, m.
     pub const SLOW_BUSHING: usize = 3;
-    /// Part s of the piston stroke that the oil column absorbs, or the deflection q: see `oil_compressibility`.
+    /// Deflection of the oil column, or the part of the piston stroke that it absorbs, m: see `oil_compressibility`.
     pub const COLUMN: usize = 4;
-    /// Depth of the cavitation void, e.
+    /// Depth of the cavitation void, e, m.
     pub const VOID: usize = 5;
-    /// State of frequency-selective damping.
+    /// State of frequency-selective damping: a lagged force, N, or a filled fraction of a chamber.
     pub const SELECTIVE: usize = 6;
-    /// Opening of the valve, or the force whose steady position the valve has.
+    /// State of valve hysteresis: the opening of the valve, or the force, N, whose steady position the valve has.
     pub const VALVE: usize = 7;
-    /// Time derivative of the valve's state, times τ.
+    /// Time derivative of the state of a valve with mass, times its time constant, N.
     pub const VALVE_RATE: usize = 8;
-    /// Rise of the oil's temperature.
+    /// Rise of the oil temperature by self-heating, K.
     pub const HEAT: usize = 9;
 }
 

@@ -1,16 +1,16 @@
-//! Types for the kind of a row: number or list.
+//! Types for the kind of a parameter row: number or list.
 
-/// Kind of the row of an identifier.
+/// Kind of the value of a parameter row: one number or a list.
 pub trait Kind: Copy + 'static {
     /// Whether the row contains a list.
     const IS_LIST: bool;
 }
 
-/// Rows that contain one number, or the index of a choice.
+/// Kind of the rows that contain one number, or the index of a choice.
 #[derive(Clone, Copy, Debug)]
 pub struct One;
 
-/// Rows that contain a list of numbers.
+/// Kind of the rows that contain a list of numbers.
 #[derive(Clone, Copy, Debug)]
 pub struct Many;
 
@@ -22,7 +22,7 @@ impl Kind for Many {
     const IS_LIST: bool = true;
 }
 
-/// Compiler message for a row of the other kind.
+/// Compiler message if code names a list where it requires a number, or the reverse.
 pub(crate) const OTHER_KIND: &str = "this parameter is a list where a number is meant, or the reverse";
 
 /// Returns whether two names are equal. For constant expressions, where `==` is not available.

@@ -12,7 +12,7 @@ use crate::input::Path;
 use crate::math::pair;
 use crate::tables::Tables;
 
-/// Motion of the mass and the forces on it.
+/// Displacement, m, and velocity, m/s, of the internal mass, and the valve force and spring force on it, N.
 #[derive(Clone, Copy)]
 pub(super) struct Mass {
     pub x: f64,
@@ -26,7 +26,7 @@ struct Substep<'a, T: Tables, P> {
     elements: &'a Elements<T>,
     primary: P,
     path: &'a Path,
-    /// Start and length of the substep as fractions of the step.
+    /// Start of the substep as a fraction of the step; `part` is its length as such a fraction.
     theta: f64,
     part: f64,
     /// Whether the substep ends the step.
@@ -37,7 +37,7 @@ struct Substep<'a, T: Tables, P> {
     side: (f64, f64),
     start: Mass,
     predicted: f64,
-    /// g × velocity and g × acceleration, for each stage.
+    /// Gains of each stage: g × velocity, m, and g × acceleration, m/s, of the mass, with the weight g of the stage, s.
     gains: [[f64; 2]; MOST_STAGES],
 }
 
@@ -97,13 +97,14 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let (side_force, temperature) = self.side;
         let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
         let inner = if MAY_BEND { self.elements.inner(&at) } else { self.elements.linear_force(&at) };
-        // F_p(x_m) ≈ F_p(x̂) + F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u
+        // The spring force F_p is linearized about x̂ = `inner_at`, with X = `known_x`. Then F_p(X + g u) ≈ F_p(x̂) +
+        // F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u.
         let inner_known = inner.force + inner.d_force_d_x * (known_x - inner_at) - inner.d_force_d_v * self.predicted;
         let inner_derivative = inner.d_force_d_v + g * inner.d_force_d_x;
         let a = resistance + inner_derivative;
         let drive = e.stiffness * (point.x - known_x) + e.damping * point.v;
         let r = mass_rate * known_v + drive - inner_known;
-        // After the three Householder steps of `solve`, the error is below the error of the method.
+        // After the three Householder steps of `solve`, the error of u is below the error of the integration method.
         let (mut u, mut fd) = self.primary.solve(self.elements, a, r);
         let (mut a, mut inner, mut inner_at) = (a, inner, inner_at);
         let (mut inner_known, mut inner_derivative) = (inner_known, inner_derivative);
@@ -160,45 +161,46 @@ struct Balance {
     fd: Value,
     inner: Response,
     inner_at: f64,
-    /// The spring force is `inner_known` + `inner_derivative` u.
+    /// The linearized spring force is `inner_known` + `inner_derivative` u, with the velocity u of the mass.
     inner_known: f64,
     inner_derivative: f64,
 }
 
-/// Constants of a stage while its springs are linearized again.
+/// Quantities of a stage that stay constant while its nonlinear springs are linearized again.
 struct Held {
     g: f64,
     resistance: f64,
-    /// X.
+    /// Known part of the mass's displacement in the stage, m.
     known: f64,
-    /// Displacement of the moving end.
+    /// Displacement of the moving end, m.
     driven: f64,
-    /// The right side of the balance without the springs.
+    /// The right side r of the stage equation a u + F_d(u) = r, N, without the springs on the mass.
     r: f64,
 }
 
 /// Largest error of the springs' linearization, relative to the forces on the mass, at which a stage is accepted.
 ///
-/// The value equals the error limit of the automatic choice of method. A larger value would accept forces that the
-/// springs cannot have.
+/// It equals the error limit of the automatic choice of the method, a thousandth. A larger value would accept forces
+/// that the springs cannot have.
 const MISSED: f64 = 1e-3;
-/// Additional allowed residual of the balance, relative to its right side, for rounding errors of large forces that
-/// cancel.
+/// Additional allowed residual of the force balance on the mass, relative to its right side, for rounding errors of
+/// large forces that cancel.
 const ROUNDING: f64 = 1e-12;
-/// Largest number of iterations for nonlinear springs. After [`PATIENCE`] of them, every other iteration bisects the
-/// bracket.
+/// Largest number of iterations of a stage with nonlinear springs. After [`PATIENCE`] of them, every other iteration
+/// bisects the bracket of the velocity.
 const ITERATIONS: usize = 60;
 const PATIENCE: usize = 6;
 
 impl<T: Tables, P: Primary> Substep<'_, T, P> {
     /// Solves a stage with nonlinear springs.
     ///
-    /// The linearization about the predicted position is inaccurate beyond the next point of a table, and far from the
-    /// center of a higher power. With such an unphysical force, the mass would overshoot.
+    /// The linearization about the predicted position is inaccurate beyond the next point of a lookup table. It is also
+    /// inaccurate for a cubic or quartic spring far from zero displacement. With the wrong force, the mass would
+    /// overshoot.
     ///
-    /// The spring force rises with displacement and the FV curve rises with velocity, so the residual of the balance
-    /// rises with u. Each solution therefore shortens the bracket. Bisection replaces a solution outside the bracket,
-    /// and every other solution after [`PATIENCE`] iterations.
+    /// The spring force rises with displacement and the FV curve rises with velocity. The residual of the force balance
+    /// therefore rises with the mass's velocity u, and its sign shortens a bracket of u. Bisection replaces a solution
+    /// outside the bracket, and every other solution after [`PATIENCE`] iterations.
     #[inline(never)]
     fn settle(&self, held: &Held, balance: &mut Balance) {
         let Held { g, resistance, known, driven, r } = *held;
@@ -267,7 +269,7 @@ pub(super) struct Drive<'a, T: Tables, P> {
     pub side: (f64, f64),
 }
 
-/// Moves the internal mass along the path in one substep by a method of up to four stages.
+/// Moves the internal mass in one substep over the whole path of the moving end, by a method of up to four stages.
 #[inline(always)]
 pub(super) fn move_mass_at_once<T: Tables, const MAY_BEND: bool>(
     method: &Tableau,
@@ -278,7 +280,7 @@ pub(super) fn move_mass_at_once<T: Tables, const MAY_BEND: bool>(
     Substep::new(drive, 0.0, 1.0, true, mass).written_out::<MAY_BEND>(method, follow)
 }
 
-/// Moves the internal mass along the path in all substeps of a step.
+/// Moves the internal mass in all substeps over the whole path of the moving end.
 #[inline(always)]
 pub(super) fn move_mass<T: Tables>(
     method: &Tableau,
@@ -305,8 +307,8 @@ pub(super) fn move_mass<T: Tables>(
     }
 }
 
-/// Takes substeps of two stages in an unrolled loop. With the tableau as a variable, the substeps take 12 % longer. The
-/// method of five stages has no unrolled loop, because a plain step uses it only on request.
+/// Takes substeps of two stages in an unrolled loop. With the tableau as a variable instead of a constant, the substeps
+/// take 12 % longer. The method of five stages has no unrolled loop, because a plain step uses it only on request.
 #[inline(never)]
 fn in_two_stages<T: Tables>(drive: &Drive<T, Plain>, substeps: u32, mass: Mass, follow: &mut impl Follow<T>) -> Mass {
     in_substeps(substeps, mass, |theta, part, last, mass| {
@@ -358,7 +360,7 @@ fn in_substeps(substeps: u32, mut mass: Mass, mut take: impl FnMut(f64, f64, boo
     mass
 }
 
-/// Runs [`move_mass`] by cheap steps.
+/// Runs [`move_mass`] by cheap steps ([`cheap`]), and by backward Euler where their linearization is too inaccurate.
 #[inline(never)]
 fn move_mass_cheaply<T: Tables>(
     drive: &Drive<T, impl Primary>,

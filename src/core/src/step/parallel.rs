@@ -8,10 +8,10 @@ use crate::math::pair;
 use crate::state::{MAX_INTERNAL, Output};
 use crate::tables::Tables;
 
-/// Advances all internal states of parallel elements along the path.
+/// Advances all internal states of parallel elements along the path of the moving end.
 ///
-/// Returns the force of these elements and of the stops at the end of the path, with derivatives. Adds the forces to
-/// their outputs.
+/// Returns the force of these elements and of the stops at the end of the path, with derivatives. Adds the friction,
+/// gas and stop forces to `output`.
 ///
 /// Not inlined, so that a damper without such elements has no extra cost.
 #[inline(never)]
@@ -67,10 +67,11 @@ impl StateVisitor for Extras<'_> {
     }
 }
 
-/// Advances the internal state of one element, driven by the known input motion.
+/// Advances the internal state of one element, driven by the known motion of the moving end.
 ///
-/// The rate is linearized in z once per stage, which is exact for a rate that is linear in z. Without `derivatives`,
-/// the derivatives with respect to the end of the step are 0.
+/// Returns the state z and its derivatives with respect to displacement and velocity at the end of the step, which are
+/// 0 without `derivatives`. The rate dz/dt is linearized in z once per stage, which is exact for a rate that is linear
+/// in z.
 fn advance_state(
     method: &Tableau,
     substeps: u32,
@@ -110,8 +111,8 @@ fn advance_state(
             for (push, weight) in d_pushes.iter().zip(weights).take(i) {
                 d_known = pair(|k| d_known[k] + weight * push[k]);
             }
-            // An implicit stage uses the rate at its end, so the derivatives with respect to the input are those at the
-            // end.
+            // An implicit stage uses the rate at its end, so the derivatives of the rate with respect to the input are
+            // those at the end.
             let response = element.evaluate(&at, now);
             for k in 0..2 {
                 let drive = response.d_rate_d_x * point.x_by_end[k] + response.d_rate_d_v * point.v_by_end[k];
@@ -134,7 +135,7 @@ mod tests {
     use crate::input::Input;
     use crate::integration::Method;
 
-    /// An element without a closed form: dz/dt = (x − z)/τ + b v − z³ w.
+    /// An element without a closed form: dz/dt = (x − z)/τ + b v − w z³. The fields are 1/τ, b and w.
     struct Follows {
         per_time: f64,
         by_velocity: f64,
@@ -168,8 +169,8 @@ mod tests {
         (Method::Fourth, 4),
     ];
 
-    /// Returns a state that starts at 3 mm after a motion of 4 ms, with its derivatives. The motion leads from 1 mm and
-    /// 0.4 m/s to the given displacement and velocity.
+    /// Returns the state after a motion of 4 ms from the state 0.003, with its derivatives. The motion leads from 1 mm
+    /// and 0.4 m/s to the displacement `x`, m, and velocity `v`, m/s.
     fn after(element: &Follows, method: Method, substeps: u32, [x, v]: [f64; 2]) -> (f64, [f64; 2]) {
         let to = Input { displacement: Some(x), ..Input::motion(x, v) };
         let path = Path::new(1e-3, 0.4, &to, 4e-3);

@@ -7,10 +7,15 @@
 //! m (u − V)/g = F_s(x − X − g u, v − u) − F_p(X + g u) − F_h        (or u = v)
 //! ```
 //!
-//! with the stage's known parts X, V, S, E of x_m, u, s and e. x_0 is the displacement of the moving end before the
-//! stage. The equation is solved to rounding accuracy (see [`crate::paths::solve`]), so its derivatives are those of
-//! the implicit function. The temperature changes slowly, so the damping in a stage uses the known part of the
-//! temperature.
+//! F_d is the FV curve, s its factor for position and temperature, and N the effect of the lagging valve and
+//! frequency-selective damping. F_h is the resulting hydraulic force. q is the deflection of the oil column, and s(x,
+//! q) the part of the stroke that the column absorbs. e is the depth of the void, ė its rate, and σ the sign of the
+//! stroke that opens it. b is the flow that bypasses the valves. x and v are the motion of the moving end, x_m and u
+//! that of the internal mass m. F_s is the series force, and F_p that of the springs on the mass. X, V, S and E are the
+//! stage's known parts of x_m, u, s(x, q) and e. g, s, is the weight of the rates. x_0 is the displacement of the
+//! moving end before the stage. The equation is solved to rounding accuracy (see [`crate::paths::solve`]), so its
+//! derivatives are those of the implicit function. The temperature changes slowly, so the damping in a stage uses the
+//! known part of the temperature.
 
 mod on_mass;
 mod stage;
@@ -33,44 +38,45 @@ use on_mass::MassStart;
 use stage::PathsStage;
 pub use stage::Seed;
 
-/// Bounds of the length of a step, s.
+/// Bounds of the length of a step, s, to which the step through the force paths clamps it.
 ///
 /// A step longer than `SHORTEST` changes the states by more than their rounding errors. `LONGEST` is far above the step
 /// of any host.
 const SHORTEST: f64 = 1e-15;
 const LONGEST: f64 = 100.0;
 
-/// Known quantities at the start of a stage.
+/// Quantities that are known before a stage is solved.
 struct Known<'a> {
     index: usize,
     last: bool,
     row: &'a [f64],
     g: f64,
     moved_from: MovedFrom,
-    /// Step factor of the valve's state: g, or the time since the start of the substep.
+    /// Weight, s, of the rate of the valve's state: that of the stage, or the time since the start of the substep.
     since: f64,
     /// Whether `since` is the time since the start of the substep.
     valve_jumps: bool,
-    /// Factor by which the valve increased the force in the previous stage.
+    /// Factor by which a lagging valve increased the force in the previous stage.
     raised: f64,
     states: [f64; STATES],
-    /// Bit set of the states that were clamped to their ranges.
+    /// Bit set of the states whose known parts were clamped to their ranges.
     kept: u32,
-    /// Initial values of the elements that act on the mass and have a state.
+    /// Values at the start of the substep for the elements that act on the mass and have a state.
     on_mass: MassStart,
 }
 
-/// Displacement X of the moving end before a stage. The state s of an oil column that counts stroke changes by s(x) −
-/// s(X).
+/// Displacement X of the moving end before a stage, m. The state s of an oil column may be the absorbed part of the
+/// stroke. It then changes by s(x) − s(X) due to the motion from X to x.
 ///
 /// X is a combination of the previous stages, like the known parts of the states. At constant pressure, the column then
-/// changes by the exact stroke of the step, independent of the velocities at the stages. With X = x − g v, the cheapest
-/// method would not change the column at all in a stroke that ends at rest. In a step from end to end, the error of the
-/// other methods would reach a whole stroke.
+/// changes by the exact stroke of the step, independent of the velocities v at the stages. Consider X = x − g v
+/// instead, with the weight g of the stage. With the cheapest method, the column would then not change at all in a
+/// stroke that ends at rest. With the other methods, the error would reach a whole stroke in a step from end to end.
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,
-    /// Derivatives with respect to displacement and velocity at the end of the step.
+    /// Derivatives of the displacement `x` with respect to displacement and velocity of the moving end at the end of
+    /// the step.
     by_end: [f64; 2],
 }
 
@@ -81,7 +87,8 @@ impl MovedFrom {
         MovedFrom { x: point.x, by_end: point.x_by_end }
     }
 
-    /// Computes X from the `start` of the substep and the strokes of the previous stages, with the weights `row`.
+    /// Computes the displacement before a stage from that at the `start` of the substep and the strokes of the previous
+    /// stages, with the weights `row`.
     #[inline(always)]
     fn of(start: &MovedFrom, row: &[f64], strokes: &[MovedFrom], index: usize) -> MovedFrom {
         let mut from = *start;
@@ -94,7 +101,7 @@ impl MovedFrom {
         from
     }
 
-    /// Returns the stroke of a stage from X to a point.
+    /// Returns the stroke of the moving end in a stage: from the displacement before the stage to `point`.
     #[inline(always)]
     fn to(&self, point: &PathPoint) -> MovedFrom {
         let [by_x, by_v] = point.x_by_end;
@@ -105,36 +112,39 @@ impl MovedFrom {
 /// States and forces after a stage.
 struct Balance {
     states: [f64; STATES],
-    /// Force on the moving end.
+    /// Force of the force paths on the moving end, N.
     force: f64,
     primary: f64,
     inner: f64,
     on_mass: Option<on_mass::States>,
 }
 
-/// Observer of the stages of a step through the paths, used for derivatives. The observer does not affect the step.
+/// Observer of the stages of a step through the force paths, used for derivatives. The observer does not affect the
+/// step.
 pub trait FollowPaths {
     /// Called after every stage.
     fn paths_stage(&mut self, stage: &dyn StageDerivatives);
 }
 
-/// Interface of a stage to the derivative code, independent of the compiled set of elements.
+/// Interface of a stage for observers that compute derivatives, independent of the set of elements for which the stage
+/// is compiled.
 pub trait StageDerivatives {
-    /// Returns the velocity at which the FV curve was evaluated.
+    /// Returns the oil velocity at which the FV curve was evaluated, m/s.
     fn oil_velocity(&self) -> f64;
-    /// Returns the two velocities at which a lagging valve evaluated the FV curve; 0 without such a valve.
+    /// Returns the two velocities, m/s, at which a lagging valve evaluated the FV curve; 0 without such a valve.
     fn valve_read(&self) -> [f64; 2];
-    /// Returns the displacement of the mass after the stage.
+    /// Returns the displacement of the internal mass after the stage, m.
     fn mass_displacement(&self) -> f64;
-    /// Returns the derivatives of the series path's force with respect to k_s and c_s, and of the inertia force with
-    /// respect to m.
+    /// Returns the derivatives of the series force with respect to its stiffness and damping, and of the inertia force
+    /// with respect to the internal mass.
     fn series_by_frame(&self) -> [f64; 3];
-    /// Propagates derivatives through the stage. `seed` contains the derivatives of the stage's inputs, except those of
-    /// the known parts, which this function computes.
+    /// Propagates `derivatives` in one direction through the stage. `seed` contains the derivatives of the stage's
+    /// inputs, except those of the known parts of the states, which this function computes.
     fn carry(&self, derivatives: &mut Carried, seed: Seed);
 }
 
-/// Observer of each stage inside the step. The step is compiled separately for each implementation.
+/// Observer of each stage inside the step through the force paths. The step is compiled separately for each
+/// implementation.
 ///
 /// In this module, [`PathsByEnd`] implements the trait. Observers of other crates implement [`FollowPaths`], and
 /// [`Told`] wraps them.
@@ -145,11 +155,12 @@ pub(super) trait EachStage {
     fn follows(&self) -> bool;
     /// Called after every stage.
     fn stage<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>);
-    /// Returns the derivatives of the force with respect to displacement and velocity at the end of the step.
+    /// Returns the derivatives of the force on the moving end with respect to displacement and velocity at the end of
+    /// the step.
     fn derivatives(&self) -> [f64; 2];
 }
 
-/// Wrapper of an observer outside this module.
+/// Wrapper that makes a [`FollowPaths`] observer of another module an [`EachStage`].
 pub(super) struct Told<'a, F>(pub &'a mut F);
 
 impl<F: FollowPaths> EachStage for Told<'_, F> {
@@ -174,14 +185,14 @@ impl<F: FollowPaths> EachStage for Told<'_, F> {
     }
 }
 
-/// Derivatives in one direction, propagated from stage to stage.
+/// Derivatives with respect to one variable (a direction), propagated from stage to stage.
 #[derive(Clone, Copy, Debug)]
 pub struct Carried {
     /// Derivatives of the states.
     pub states: [f64; STATES],
     /// Derivative of the force on the moving end.
     pub force: f64,
-    /// Derivatives of g × rate of the states, for each stage.
+    /// Derivatives of the gains (weight g of the stage × rate of the states) of each stage.
     gains: [[f64; STATES]; MOST_STAGES],
     /// Derivatives of the states of elements on the mass.
     on_mass: on_mass::States,
@@ -208,7 +219,7 @@ impl Carried {
                 *known = if stage.kept & 1 << place == 0 { *known } else { 0.0 };
             }
         }
-        // Until the last stage, the states are those at the start of the substep.
+        // Until the last stage, `self.states` contains the derivatives of the states at the start of the substep.
         let start = [self.states[place::X], self.states[place::U]];
         let on_mass = stage.on_mass();
         if let Some(on_mass) = on_mass {
@@ -230,7 +241,7 @@ impl Carried {
     }
 }
 
-/// Derivatives of the step with respect to displacement and velocity at its end.
+/// Derivatives of force and states of the step with respect to displacement and velocity of the moving end at its end.
 pub struct PathsByEnd {
     by_end: [Carried; 2],
     wanted: bool,
@@ -274,7 +285,8 @@ impl EachStage for PathsByEnd {
     }
 }
 
-/// Computes the known part of a stage: the start plus Σ a_ij/γ_j gains_j over the previous stages.
+/// Computes the known parts of the states in a stage: the start plus the weighted gains of the previous stages. `row`
+/// contains the weights, and a gain is the change of the states in a stage.
 #[inline(always)]
 fn known_part<const ON: u32>(
     start: &[f64; STATES],
@@ -293,7 +305,8 @@ fn known_part<const ON: u32>(
     known
 }
 
-/// Clamps openings and fillings to their ranges and returns the bit set of the clamped states.
+/// Clamps the known opening of a valve and filled fraction of a chamber to their ranges, and returns the bit set of the
+/// clamped states.
 ///
 /// Every stage ends within the ranges. The fourth-order method combines stages with weights of up to 31, so its known
 /// parts can lie outside. With an opening of 2.5 times the range, the lag would cancel more than the whole force. The
@@ -317,7 +330,7 @@ fn keep<const ON: u32>(e: &Paths<impl Tables>, known: &mut [f64; STATES]) -> u32
     kept
 }
 
-/// Returns the gains of a stage: the states after it minus their known parts.
+/// Returns the gains of a stage: the states after the stage minus their known parts.
 #[inline(always)]
 fn gain<const ON: u32>(after: &[f64; STATES], known: &[f64; STATES]) -> [f64; STATES] {
     let mut gain = [0.0; STATES];
@@ -329,30 +342,30 @@ fn gain<const ON: u32>(after: &[f64; STATES], known: &[f64; STATES]) -> [f64; ST
     gain
 }
 
-/// Force of the paths at the end of a step, with its derivatives.
+/// Force through both force paths at the end of a step, N, with its derivatives.
 pub(super) struct Through {
     pub force: f64,
     pub d_force_d_x: f64,
     pub d_force_d_v: f64,
 }
 
-/// Clamps a step length to the range of the paths.
+/// Clamps a step length, s, to the range of the step through the force paths.
 pub(super) fn held(dt: f64) -> f64 {
     dt.clamp(SHORTEST, LONGEST)
 }
 
-/// Inputs of the states of the paths during a step.
+/// Inputs of the coupled states of the force paths during a step.
 #[derive(Clone, Copy)]
 pub(super) struct Drive<'a, T: Tables> {
     pub model: &'a Model<T>,
     pub path: &'a Path,
     pub substeps: u32,
-    /// Side force and temperature.
+    /// Side force, N, and temperature, °C, from the host.
     pub side: (f64, f64),
     pub method: &'a Tableau,
 }
 
-/// Advances the states of both paths along the motion of the moving end.
+/// Advances the coupled states of both force paths along the motion of the moving end.
 pub(super) fn advance<T: Tables>(
     drive: &Drive<T>,
     state: &mut State,
@@ -369,7 +382,7 @@ pub(super) fn advance<T: Tables>(
     if has_states_on_mass {
         now.on_mass = on_mass::read(&drive.model.elements, &state.internal);
     }
-    /// Compiles one function for each of the listed sets of elements.
+    /// Compiles one function for each of the listed sets of elements, and calls that of the damper's set.
     macro_rules! compiled {
         ($($on:expr,)*) => {
             match () {
@@ -415,14 +428,14 @@ fn advance_on<const ON: u32>(drive: &Drive<impl Tables>, now: &mut Now, follow: 
     }
 }
 
-/// Current states and forces.
+/// States and forces at the current time in a step.
 #[derive(Clone, Copy)]
 struct Now {
     states: [f64; STATES],
     /// States of the elements on the mass.
     on_mass: on_mass::States,
     oil_velocity: f64,
-    /// Velocity of the moving end.
+    /// Velocity of the moving end, m/s.
     driven: f64,
     /// Factor by which a lagging valve increases the force.
     raised: f64,
@@ -444,41 +457,43 @@ impl Now {
     };
 }
 
-/// A part of the step.
+/// A substep: a part of the step, in which all stages of the method run once.
 #[derive(Clone, Copy)]
 struct Substep<'a, T: Tables> {
     elements: &'a Elements<T>,
     path: &'a Path,
-    /// Start and length as fractions of the step.
+    /// Start of the substep as a fraction of the step; `part` is its length as such a fraction.
     theta: f64,
     part: f64,
     /// Whether the substep ends the step.
     ends_step: bool,
-    /// Side force and temperature.
+    /// Side force, N, and temperature, °C, from the host.
     side: (f64, f64),
 }
 
 /// Number of pieces into which a substep is divided when a void closes in it.
 const PIECES: u32 = 16;
-/// Depth of a void at the end of a substep, m, below which it is about to close: the substep is repeated in pieces.
+/// Depth of a void at the end of a substep, m, below which the substep is repeated in pieces: the void closes or nearly
+/// closes.
 const CLOSING: f64 = 2e-5;
 /// Depth, m, below which a void counts as closed and is set to 0.
 const SHUT: f64 = 1e-9;
 
 /// Number of pieces into which a substep is divided if the model's method overshoots a reversal.
 const CALM: u32 = 8;
-/// Largest allowed difference between a substep's end force and the force of its latest stage, relative to a linear
-/// extrapolation.
+/// Largest allowed difference between a substep's end force and that of its latest stage before the end, relative to a
+/// linear extrapolation.
 ///
 /// For a force that grows with the square of time from zero, the ratio is 1.75. With a limit of 2.5, the end force of a
-/// released bushing was 1.8 times too high at 2 ms (search, seed 295465, case 53629). With a limit of 2, this error
-/// does not occur. For a spool at a reversal, the ratio was 3.2.
+/// released bushing was 1.8 times too high at steps of 2 ms. (This is case 53629 of seed 295465 of the random search in
+/// `dashpot-abi`.) With a limit of 2, this error does not occur. For a spool at a reversal, the ratio was 3.2.
 const THROWN: f64 = 2.0;
-/// Difference between end force and latest stage, relative to the size of the forces, below which no overshoot is
-/// detected.
+/// Difference between the end force and that of the latest stage, relative to the size of the forces, below which no
+/// overshoot is detected.
 const ROUGHNESS: f64 = 0.02;
 
-/// Returns whether the force at the `end` is consistent with the previous `stages`. Returns false for a NaN.
+/// Returns whether the force `end` at the end of a substep is consistent with the forces `stages` of its previous
+/// stages, within [`THROWN`] and [`ROUGHNESS`]. Returns false for a NaN.
 #[inline(always)]
 fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
     let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
@@ -493,44 +508,48 @@ fn is_near(stages: &[f64], end: f64, method: &Tableau) -> bool {
 
 /// Outcome of a substep.
 enum Ended {
-    /// The substep reached its end.
+    /// The substep reached its end without a failed check.
     Well,
     /// A void closed inside the substep.
     VoidClosed,
-    /// The end force is inconsistent with the stages.
+    /// The force at the end is inconsistent with the forces of the stages.
     Thrown,
 }
 
 impl<T: Tables> Substep<'_, T> {
-    /// Takes the substep by the model's method, or in pieces if that method overshoots a reversal inside the substep.
+    /// Takes the substep by the model's method. If that method overshoots a reversal or a void closes in the substep,
+    /// takes it in pieces instead.
     ///
     /// # Protection against overshoot
     /// Each stage has a solution (see [`crate::paths::solve`]), and its force is physical. The combination of the
     /// stages may be unphysical, because the last row of the fourth-order method has weights of up to 31. The end force
-    /// may therefore be inconsistent with the forces of the stages. In this case the substep is repeated by the
-    /// second-order method, which is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal. 16, 1979).
-    /// With this method, two motions of a purely dissipative damper do not diverge, even if its elements reverse
-    /// abruptly.
+    /// may therefore be inconsistent with the forces of the stages. In this case, smaller pieces with the second-order
+    /// method replace the substep. This method is algebraically stable (γ ≥ ¼: Burrage & Butcher, SIAM J. Numer. Anal.
+    /// 16, 1979). With an algebraically stable method, two motions of a purely dissipative damper do not diverge, even
+    /// if its elements reverse abruptly.
     ///
-    /// With a column of two chambers that counts stroke, the valve force is also checked. Stages on both sides of rest,
-    /// with different chamber lengths, may combine to a force that is wrong on both sides. The check of the total force
-    /// does not detect this if the series damping is strong, because that force then differs widely between the stages.
+    /// If the state of a two-chamber oil column is the absorbed part of the piston stroke, the valve force is also
+    /// checked. Stages on both sides of rest, with different chamber lengths, may combine to a force that is wrong on
+    /// both sides. The check of the total force does not detect this with strong series damping, because the total
+    /// force then differs widely between the stages.
     #[inline(always)]
     fn take<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) {
         let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(now);
         let ended = if turns { Ended::VoidClosed } else { self.run_watched::<ON>(method, now, follow) };
         match ended {
             Ended::Well => (),
-            // The condition is known at compile time, so no other variant is compiled.
+            // The condition is known at compile time, so pieces with backward Euler are compiled only for element sets
+            // with a void.
             Ended::VoidClosed if const { ON & CAVITATION != 0 } => {
                 self.in_pieces::<ON>(&EULER, PIECES, now, follow);
             }
-            // A repetition is so rare that it is compiled once for all variants.
+            // A repetition is so rare that its code is compiled once for all element sets.
             Ended::VoidClosed | Ended::Thrown => self.in_pieces::<ANY>(&SECOND, CALM, now, follow),
         }
     }
 
-    /// Runs a substep and checks its end. With a void, substeps and their pieces share one compiled function.
+    /// Runs a substep and checks its end. If the element set has a void, substeps and their pieces share one compiled
+    /// function.
     #[inline(always)]
     fn run_watched<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) -> Ended {
         if const { ON & CAVITATION != 0 } {
@@ -552,7 +571,7 @@ impl<T: Tables> Substep<'_, T> {
         self.run::<ON>(method, now, watched, follow)
     }
 
-    /// Runs all stages of one method.
+    /// Runs all stages of one method over the substep.
     ///
     /// With `watched`, the function returns early if the end fails a check. `now` then stays at the start of the
     /// substep, and the observer does not receive the last stage.
@@ -580,7 +599,7 @@ impl<T: Tables> Substep<'_, T> {
             }
             let kept = keep::<ON>(e, &mut known);
             overshot |= known[place::VOID] < 0.0;
-            // The oil follows the moving end, unless a void absorbs the motion.
+            // The initial guess assumes that the oil follows the moving end, unless a void absorbs the motion.
             let follows = if acts::<ON>(e, CAVITATION) { 0.0 } else { point.v - driven };
             let guess = oil_velocity + follows;
             let since = if valve_jumps { place_of * h } else { g };
@@ -641,14 +660,16 @@ impl<T: Tables> Substep<'_, T> {
         Ended::Well
     }
 
-    /// Returns whether the moving end reverses while a void is open. The pressure in the void then jumps.
+    /// Returns whether the moving end reverses in the substep while a void is open, so that the pressure in the void
+    /// jumps.
     #[inline(always)]
     fn driven_turns(&self, from: &Now) -> bool {
         let void = from.states[place::VOID];
         void > 0.0 && self.path.point(self.theta).v * self.path.point(self.theta + self.part).v <= 0.0
     }
 
-    /// Runs the substep in short pieces. With first-order pieces, a void cannot become negative.
+    /// Runs the substep in `pieces` shorter substeps without checks. With first-order pieces, a void cannot become
+    /// negative.
     #[inline(never)]
     fn in_pieces<const ON: u32>(&self, method: &Tableau, pieces: u32, now: &mut Now, follow: &mut impl EachStage) {
         let part = self.part / f64::from(pieces);

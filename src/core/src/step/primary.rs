@@ -4,25 +4,26 @@ use crate::assembly::Elements;
 use crate::curve::Value;
 use crate::tables::{ForceLaw, Tables};
 
-/// A force that rises with the velocity of the mass.
+/// A valve force that does not decrease with the velocity of the internal mass.
 pub(super) trait Primary: Copy {
-    /// Prepares the force for a temperature that the host gives.
+    /// Prepares the force for the temperature from the host, °C.
     fn new(e: &Elements<impl Tables>, temperature: f64) -> Self;
 
     /// Returns whether the force is the FV curve without a factor.
     fn is_plain(&self) -> bool;
 
-    /// Returns force and derivative at a velocity.
+    /// Returns force, N, and derivative, N s/m, at the velocity `v`, m/s.
     fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value;
 
-    /// Returns the velocity u with a u + F(u) = r, with force and derivative there.
+    /// Returns the velocity u, m/s, with a u + F(u) = r for this force F, with force and derivative there.
     fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value);
 }
 
-/// Number of Householder steps inside a piece of the FV curve. The residual error is below the error of every method.
+/// Number of Householder steps inside a piece of the FV curve. The remaining error of the solution is below the error
+/// of every integration method.
 const STEPS: usize = 3;
 
-/// The FV curve.
+/// The FV curve without a factor.
 #[derive(Clone, Copy)]
 pub(super) struct Plain;
 
@@ -48,13 +49,14 @@ impl Primary for Plain {
     }
 }
 
-/// F = F_d(0) + s (F_d(u) − F_d(0)): the FV curve of a damper that fades as a whole.
+/// FV curve of a damper whose force fades as a whole: F_d(0) + s (F_d(u) − F_d(0)), with the FV curve F_d and the fade
+/// factor s.
 #[derive(Clone, Copy)]
 pub(super) struct Faded {
-    /// s, and 1/s.
+    /// Fade factor s at the host's temperature, and its reciprocal.
     factor: f64,
     per_factor: f64,
-    /// F_d(0).
+    /// Force of the FV curve at zero velocity, N.
     standing: f64,
 }
 
@@ -93,7 +95,7 @@ impl Primary for Faded {
     }
 }
 
-/// The force of any damper: plain or faded.
+/// Valve force of any damper in the plain step: the FV curve, or the faded curve.
 #[derive(Clone, Copy)]
 pub(super) struct Any(Option<Faded>);
 

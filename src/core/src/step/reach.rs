@@ -1,4 +1,4 @@
-//! The springs on the mass within the reach of the series spring about the moving end.
+//! The springs on the internal mass, evaluated within the reach ([`REACH`]) of the series spring about the moving end.
 
 use crate::assembly::Elements;
 use crate::element::{Motion, Response};
@@ -8,7 +8,7 @@ use crate::tables::Tables;
 /// Deflection of the series spring, m, beyond which the force of the springs on the mass is extrapolated linearly.
 pub(super) const REACH: f64 = 0.05;
 
-/// Clamps a position to the reach of the series spring about the moving end.
+/// Clamps a position `x` of the mass, m, to the reach of the series spring about the moving end at `driven`, m.
 ///
 /// Without this limit, a jump of the input would give the derivative of a hardening spring at a position that the mass
 /// never reaches.
@@ -18,7 +18,8 @@ pub(super) fn within_reach(x: f64, driven: f64) -> f64 {
     min(high, max(low, x))
 }
 
-/// Evaluates the springs on the mass at position `x`. The force is linear beyond the reach of the series spring.
+/// Evaluates the springs on the mass at position `x`, m, with the moving end at `driven`, m. The force is linear beyond
+/// the reach of the series spring. `side` is the side force, N, and the temperature, °C.
 ///
 /// Returns the response at the clamped position, the extrapolated force at `x`, and the clamped position.
 #[inline(always)]
@@ -37,7 +38,8 @@ pub(super) fn springs(
 /// Half the width of the central difference for the second derivative of a spring, m.
 const CURVATURE_WIDTH: f64 = 1e-6;
 
-/// Computes ∂F̃_p/∂x̂ at the mass, for the tangent of the springs at `at`: F_p''(x̂) (x_m − x̂), N/m.
+/// Computes the derivative, N/m, of the springs' tangent at the mass position `x_m` with respect to the position x̂ of
+/// its contact point `at`. It is F_p''(x̂) (x_m − x̂) for the spring force F_p.
 #[inline(never)]
 pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &Motion, x_m: f64) -> f64 {
     let derivative = |x: f64| e.inner(&Motion { displacement: x, ..*at }).d_force_d_x;

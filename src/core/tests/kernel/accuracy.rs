@@ -1,10 +1,12 @@
-//! Tests of the guaranteed accuracy over the corners of the test matrix, by comparison with an independent reference.
+//! Tests of the guaranteed accuracy at the extreme amplitudes and velocities of a rig's test matrix, by comparison with
+//! an independent reference.
 
 use crate::common::*;
 use dashpot_core::list;
 use dashpot_core::step::Method;
 
-/// Returns the largest rms error and the largest single error, relative to the largest force.
+/// Returns the largest rms error and the largest single error of the forces over five sine motions, relative to each
+/// motion's largest force.
 fn worst(changes: &[(&str, f64)], dt: f64, velocity_only: bool) -> (f64, f64) {
     let model = model(changes);
     let mut worst = (0.0f64, 0.0f64);
@@ -33,8 +35,8 @@ fn a_millisecond_step_is_within_a_thousandth() {
     }
 }
 
-/// The automatic choice takes one or two substeps of the three-stage method at 1 ms. More substeps would also be
-/// accurate, but their cost would differ from the figures in the book.
+/// The automatic choice takes one or two substeps of the three-stage method in a step of 1 ms. More substeps would also
+/// be accurate, but their cost would differ from the figures in the book.
 #[test]
 fn the_automatic_choice_takes_no_more_substeps_than_it_needs() {
     for (changes, substeps) in [(DEFAULT, 1), (SOFT, 1), (STIFF, 2)] {
@@ -88,7 +90,7 @@ fn a_millisecond_step_is_within_a_thousandth_for_any_mass_spring_and_damping() {
             let forces: Vec<f64> = params.list(list!("fv_force")).iter().map(|force| scale * force).collect();
             params.set_list(list!("fv_force"), &forces).unwrap();
             let model = dashpot_core::Model::new(&params).unwrap();
-            // The reference steps are so short that the explicit method is stable with the steepest curve.
+            // The reference steps are so short that the explicit method is stable with the steepest FV curve.
             let rate = (scale * 7e3 / mass).max((stiffness / mass).sqrt());
             let parts = 200 + (1.5e-3 * rate) as usize;
             for (amplitude, peak) in [(0.05, 1.571), (0.01, 1.571), (0.005, 0.524), (0.002, 0.2618), (0.002, 0.052)] {

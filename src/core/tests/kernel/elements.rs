@@ -1,4 +1,4 @@
-//! Tests of the elements: symmetry, peaks, limits, and no effect of an element that is off.
+//! Tests of the damper's elements: symmetry, peaks and limits of their forces, and no effect of an element that is off.
 
 use crate::common::*;
 use dashpot_core::parameter::{Element, List, Number, Shape, table};
@@ -28,8 +28,8 @@ proptest! {
         }
     }
 
-    /// The cheap step uses the short form of the elements. Where an element has a short form, it equals the full form
-    /// bitwise.
+    /// The cheap step uses the short form of the elements. Where an element has a short form, its force equals that of
+    /// the full form bit by bit.
     #[test]
     fn a_quick_answer_is_the_full_answer(params in any_params(), x in -0.05..0.05f64, v in (-6.0..0.5f64).prop_map(|d| 10f64.powf(d)), sign in any::<bool>()) {
         let at = Motion { displacement: x, velocity: if sign { v } else { -v }, side_force: 300.0, temperature: 20.0 };
@@ -95,7 +95,8 @@ proptest! {
         let input = Input::motion(x, v);
         let stepped = step(&model, &model.steady_state(&Input::motion(0.0, 0.0)), &input, dt).1;
         let direct = evaluate(&model, &State::ZERO, &input).0;
-        // The bypass flow is solved iteratively, so the two forces agree only to a millionth.
+        // The flow through a groove is solved iteratively, so the forces of step and evaluation agree only to a
+        // millionth.
         let grooved = p.is_on(element!("position_dependent_damping")) && p.number(number!("bypass_form")) == 1.0;
         let allowed = if grooved { 1e-6 } else { 1e-12 };
         prop_assert!((stepped.force - direct.force).abs() <= allowed * (1.0 + direct.force.abs()));
@@ -112,7 +113,7 @@ proptest! {
         prop_assert!((top - peak).abs() < 1e-3 * peak, "peak {top} for {peak}");
         prop_assert!((at / v - 1.0).abs() < 0.02, "peak at {at} for {v}");
         prop_assert!((force(&model, 30.0 * v) - coulomb).abs() < 1e-9 * peak);
-        // The force does not jump at the velocity above which the exponentials are omitted.
+        // The force does not jump at the velocity `edge`, above which the exponentials are omitted.
         let edge = v * (2.0f64 * 40.0).sqrt();
         prop_assert!((force(&model, edge * 1.000_001) - force(&model, edge * 0.999_999)).abs() < 1e-9 * peak);
     }
@@ -125,7 +126,7 @@ proptest! {
             ("stribeck_breakaway_velocity", 1e-4), ("stribeck_velocity", 0.1),
         ]);
         prop_assert_eq!(force(&model, 0.0), 0.0);
-        // At a velocity between the scales of rise and fall, the force is close to the peak.
+        // At 1 mm/s, between the velocity scales of rise (0.1 mm/s) and fall (0.1 m/s), the force is close to the peak.
         prop_assert!((force(&model, 1e-3) - peak).abs() < 2e-4 * peak);
         prop_assert!((force(&model, 1.0) - level).abs() < 1e-9 * peak);
         let top = (1..10_000).map(|i| force(&model, i as f64 * 1e-4)).fold(0.0, f64::max);
@@ -177,7 +178,7 @@ fn lag_answers_a_velocity_step_as_the_exponential() {
     }
 }
 
-/// Returns the travel, m, with a force below 3 N during a slow sine of 3 mm amplitude.
+/// Returns the travel, m, on which the force stays below 3 N in one cycle of a sine of 3 mm and 0.5 Hz.
 fn travel_without_force(model: &Model) -> f64 {
     let (steps, dt) = (8000, 2.5e-4);
     let motion = sine(3e-3, 0.5);
@@ -187,7 +188,8 @@ fn travel_without_force(model: &Model) -> f64 {
 }
 
 /// Play in an eye that carries the whole force occurs where the total force of the damper, including friction, is zero.
-/// Play in series with the hydraulic force alone occurs elsewhere.
+/// Play in series with the hydraulic force alone occurs where the hydraulic force is zero, and thus at a force of the
+/// damper.
 #[test]
 fn play_in_an_eye_is_where_the_force_is_nothing() {
     let play = |load: f64| {
@@ -204,13 +206,14 @@ fn play_in_an_eye_is_where_the_force_is_nothing() {
         }
         travel_without_force(&Model::new(&p).unwrap())
     };
-    // The gap is crossed twice in a cycle.
+    // The gap of 0.2 mm is crossed twice in a cycle.
     let (whole, hydraulic) = (play(1.0), play(0.0));
     assert!(whole > 2e-4 && whole < 5e-4, "{whole}");
     assert!(hydraulic < 0.3 * whole, "{hydraulic} beside {whole}");
 }
 
-/// With a very stiff series spring, an element has the same effect behind this spring as in parallel.
+/// With a very stiff series spring, friction and gas behind this spring give the forces of friction and gas parallel to
+/// the damper.
 #[test]
 fn behind_a_stiff_series_spring_friction_and_gas_act_as_beside_it() {
     let forces = |load: f64| {
@@ -263,8 +266,8 @@ fn numbers_of_other_forms_do_not_count() {
                         let values: Vec<f64> = params.list(list).iter().map(|v| (1.0 + share) * v).collect();
                         other.set_list(list, &values).unwrap();
                     }
-                    // Use a value near the default. The means of the bounds would be invalid together for the
-                    // derivatives and knees.
+                    // Use a value near the default. Values between the bounds could be invalid together for the
+                    // derivatives and knees of the FV curve.
                     Shape::Scalar => {
                         let number = Number::find(row.parameter.name).unwrap();
                         let near = number.default() * (0.5 + share);

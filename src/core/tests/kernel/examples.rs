@@ -1,7 +1,7 @@
-//! Test of the examples in the documentation, including those that must not compile.
+//! Test of the code examples in the documentation comments, including those that must not compile.
 //!
-//! Cargo would run the examples after the test that counts the skipped tests. Therefore this test runs them
-//! instead (`doctest = false`).
+//! Cargo would run the examples after the test that counts the skipped tests. Therefore this test runs them instead,
+//! and `doctest = false` in the manifest switches Cargo's run off.
 
 use std::path::{Path, PathBuf};
 use std::process::Command;

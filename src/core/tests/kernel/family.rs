@@ -1,4 +1,5 @@
-//! At every setting, a family equals the ordinary damper with the interpolated parameters, for all elements.
+//! At every setting, a family (an adjustable damper) equals the ordinary damper with the interpolated parameters, for
+//! all elements.
 //!
 //! Further tests check the actuator, which changes the setting over time.
 
@@ -13,13 +14,14 @@ use proptest::prelude::*;
 
 const GRID: [f64; 5] = [0.0, 0.4, 0.8, 1.2, 1.6];
 
-/// Returns the forces of the FV table, increased in proportion to `size`: little near standstill, more at speed.
+/// Returns the forces of the FV table, N, increased by the fraction 0.3 `size` near standstill, and by up to 1.3 `size`
+/// at speed.
 fn forces(params: &Params, size: f64) -> Vec<f64> {
     let (v, f) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     v.iter().zip(f).map(|(v, f)| f * (1.0 + size * (0.3 + v.abs() / (0.2 + v.abs())))).collect()
 }
 
-/// Makes an axis over which the forces and `numbers` grow, by unequal amounts between the grid values.
+/// Makes a setting over whose grid the FV forces and `numbers` grow, by unequal amounts between the grid values.
 fn over(params: &Params, numbers: &[Number]) -> Axis {
     let mut axis = Axis::NONE;
     axis.set_grid(&GRID).unwrap();
@@ -34,7 +36,7 @@ fn over(params: &Params, numbers: &[Number]) -> Axis {
     axis
 }
 
-/// Returns the parameters of the elements that are on and of the chosen form.
+/// Returns the numeric parameters of the elements that are on, without those of forms that are not chosen.
 fn numbers_of(params: &Params) -> Vec<Number> {
     table()
         .filter(|row| row.element().is_some() && params.counts(row) && matches!(row.parameter.shape, Shape::Scalar))
@@ -49,8 +51,8 @@ fn family(params: &Params, axis: &Axis) -> Result<Box<Family>, dashpot_core::Fau
     Ok(family)
 }
 
-/// Returns the largest difference between the forces of a family at a constant setting and the forces of the ordinary
-/// damper. Also returns the largest force.
+/// Returns the largest difference, N, between the forces of a family at a constant setting and those of the ordinary
+/// damper `model`. Also returns the largest force, N.
 ///
 /// With `begins_anew`, every step begins from the ordinary damper's state. Otherwise rounding errors may grow without
 /// bound if the damper is almost undamped.
@@ -118,7 +120,7 @@ fn a_constant_setting_is_the_ordinary_damper_of_the_interpolated_numbers() {
             let mut axis = over(&params, &numbers);
             let curve = params.is_on(element!("fv_curve")) && params.number(number!("fv_form")) == 0.0;
             if !curve {
-                // Forces of an unused table do not belong to the damper.
+                // A damper without an FV table cannot have forces over the setting.
                 let mut without = Axis::NONE;
                 without.set_grid(&GRID).unwrap();
                 for number in &numbers {
@@ -193,7 +195,8 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
                 (before - after).abs() < 0.02 * (before.abs() + after.abs()) + 0.1,
                 "{before} {after} at {setting}, {v}"
             );
-            // The derivative with respect to the setting is nonzero on the grid, so a controller has a gain there.
+            // The derivative of the force with respect to the setting is nonzero at the grid values, so a controller
+            // has a gain there.
             assert!(v.abs() < 0.1 || derivative(setting).abs() > 10.0, "{} at {setting}, {v}", derivative(setting));
         }
     }
@@ -208,7 +211,8 @@ fn between(v: &[f64], f: &[f64], at: f64) -> f64 {
 proptest! {
     #![proptest_config(drawn(150))]
 
-    /// A family with any elements and any varying parameters equals the ordinary damper at a constant setting.
+    /// A family with any elements and any varying parameters equals the ordinary damper with the interpolated
+    /// parameters, at a constant setting.
     #[test]
     fn any_family_is_the_ordinary_damper_at_a_constant_setting(params in any_params(), setting in 0.0..1.6f64, which in any::<u64>()) {
         let numbers: Vec<Number> = numbers_of(&params)
@@ -248,7 +252,8 @@ proptest! {
             params.enable(dashpot_core::parameter::Element::find(element).unwrap(), kept);
         }
         let (v, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
-        // The curve is odd. With a force at rest, the curve would store energy that depends on the setting.
+        // The FV curve is made odd. With a force at zero velocity, the damper would store energy that depends on the
+        // setting.
         let positive: Vec<f64> = v.iter().copied().filter(|v| *v > 0.0).collect();
         let symmetric: Vec<f64> = positive.iter().rev().map(|v| -v).chain([0.0]).chain(positive.iter().copied()).collect();
         let odd: Vec<f64> = symmetric.iter().map(|at| 0.5 * (between(&v, &f, *at) - between(&v, &f, -at))).collect();
@@ -274,7 +279,7 @@ proptest! {
             let before = state.displacement;
             let mut output = Output::ZERO;
             prop_assert!(family.step_in_place(&mut state, &mut delay, &Input::motion(x, v), Some(setting), dt, &mut output, true));
-            // The force of a switched damper jumps, so the work is computed with its value at the end of the step.
+            // The force of a switched damper jumps, so the work of a step is computed with the force at its end.
             let done = output.force * (state.displacement - before);
             work += done;
             gross += done.abs();
@@ -298,7 +303,7 @@ fn what_stores_energy_is_told() {
     }
 }
 
-/// Makes an axis with all parameters of an actuator.
+/// Makes a setting with all parameters of an actuator.
 fn moved(params: &Params) -> Axis {
     let mut axis = over(params, &[number!("gas_force"), number!("series_damping")]);
     for (index, value) in [0.4, 8e-3, 20e-3, 5e-3, 200.0, 100.0, 0.03].into_iter().enumerate() {
@@ -335,7 +340,7 @@ fn the_valve_follows_a_command_in_its_time_up_and_down() {
     }
 }
 
-/// A run that continues from a copied state repeats the original run bitwise, including dead time and hysteresis.
+/// A run that continues from a copied state and dead-time buffer gives, bit by bit, the forces of the original run.
 #[test]
 fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
     let params = params(&[]);
@@ -368,7 +373,8 @@ fn a_copy_of_state_and_dead_time_is_all_that_a_run_needs() {
     assert_eq!(all[199..], rest);
 }
 
-/// Tiny steps of the family and the integral of its state derivatives give the same motion.
+/// Steps of 2 µs and the integral of the state derivatives, computed with equal steps, give equal states within the
+/// tolerance.
 #[test]
 fn rates_are_what_the_steps_integrate() {
     let params = params(&[("internal_mass", 5.0), ("series_stiffness", 5e5)]);
@@ -464,14 +470,14 @@ fn partials_of_a_family_are_differences_of_its_rates() {
         assert!(near(by_setting.rate[i], seen, 1.0), "rate {i} by setting: {} {seen}", by_setting.rate[i]);
     }
     assert_eq!(by_setting.force, 0.0);
-    // Without an actuator the command acts immediately.
+    // Without an actuator, the command acts immediately, so the force has a derivative with respect to it.
     let axis = over(&p, &[number!("gas_force")]);
     let at_once = self::family(&p, &axis).unwrap();
     let state = at_once.steady_state(&Input::motion(0.0, 0.18), Some(0.7));
     let (_, by_setting) = at_once.partials(&state, &input, Some(0.7));
     let force = |setting: f64| at_once.evaluate(&state, &input, Some(setting)).0.force;
     assert!(near(by_setting.force, (force(0.7 + 1e-5) - force(0.7 - 1e-5)) / 2e-5, 1.0), "{}", by_setting.force);
-    // All other derivatives equal those of the ordinary damper at this setting.
+    // The derivatives with respect to motion and states equal those of the ordinary damper at this setting.
     let model = Model::new(&axis.params_at(&p, 0.7)).unwrap();
     let (wanted, got) =
         (partials(&model, &model.laid_out(&state), &input), at_once.partials(&state, &input, Some(0.7)).0);
@@ -483,8 +489,7 @@ fn partials_of_a_family_are_differences_of_its_rates() {
     assert!(near(output.force, force(0.7), 1.0));
 }
 
-/// A state survives the change from an ordinary damper to a family and back. Each internal state stays with its
-/// element.
+/// A state of an ordinary damper can be used in a family and back. Each internal state stays with its element.
 #[test]
 fn a_state_of_the_ordinary_damper_is_one_of_the_family() {
     let mut p = params(&[]);
@@ -530,7 +535,7 @@ fn what_is_no_family_is_rejected_with_the_number_at_fault() {
     assert_eq!(reason(axis.set_forces(1, &[0.0, 1.0, 2.0])), Reason::CurveLengths);
     assert_eq!(axis.check().unwrap_err(), list!("fv_force").fault(Reason::SettingCount));
     axis.set_forces(1, &[0.0, 1.0]).unwrap();
-    // The table has different numbers of velocities and forces.
+    // The FV table has different numbers of velocities and forces.
     assert_eq!(Family::check(&p, &axis).unwrap_err(), list!("fv_force").fault(Reason::CurveLengths));
     axis.set_grid(&[0.0, 1.0]).unwrap();
     let mut falling = forces(&p, 1.0);

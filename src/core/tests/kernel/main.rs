@@ -1,4 +1,5 @@
-//! The tests of the kernel through its public interface. They form one program, so that long tests run in parallel.
+//! The tests of the kernel (the damper model of this crate) through its public interface. They form one program, so
+//! that long tests run in parallel.
 
 mod accuracy;
 mod common;

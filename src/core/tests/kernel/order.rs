@@ -1,4 +1,4 @@
-//! Each method converges with its order for a smooth damper.
+//! Each integration method converges with its order for a smooth damper.
 
 use crate::common::*;
 use dashpot_core::parameter::Element;
@@ -8,8 +8,8 @@ use dashpot_core::{list, number};
 
 /// Makes a model with smooth elements of both force paths.
 ///
-/// The damping uses the known part of the temperature. The resulting error is of first order but far below the other
-/// errors.
+/// In a stage, the damping uses the known part of the oil temperature instead of the final one. The resulting error is
+/// of first order but far below the other errors.
 fn smooth_paths() -> Model {
     let mut params = smooth_params();
     for element in ["bushing", "oil_compressibility", "frequency_selective_damping", "temperature_fade"] {
@@ -23,7 +23,7 @@ fn smooth_paths() -> Model {
 }
 
 /// Makes a damper without kinks: a linear FV curve, a cubic spring, no dry friction. The oscillation of its internal
-/// mass is slow enough that steps of a millisecond show their order.
+/// mass is slow enough that the error of millisecond steps falls with the order of the method.
 fn smooth() -> Model {
     Model::new(&smooth_params()).unwrap()
 }
@@ -83,7 +83,8 @@ fn falls(model: Model) {
 
 #[test]
 fn substeps_and_shorter_steps_are_the_same_refinement() {
-    // For a motion that the cubic path reproduces exactly, n substeps equal n steps.
+    // The motion is a cubic in time, which the path of a step reproduces exactly. A step of n substeps then equals n
+    // steps.
     let model = smooth();
     let motion = |t: f64| (0.02 * t + 3.0 * t * t * t, 0.02 + 9.0 * t * t);
     for method in METHODS {

@@ -5,12 +5,13 @@ use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Reason, State, evaluate};
 use std::f64::consts::TAU;
 
-/// Returns displacement and force at each step of length `dt`, from the steady state at the start of the motion.
+/// Returns displacement, m, and force, N, at each step of length `dt`, s, from the steady state at the start of the
+/// motion.
 fn run(model: &Model, motion: &impl Fn(f64) -> (f64, f64), dt: f64, steps: usize) -> Vec<(f64, f64)> {
     crate::common::run(model, motion, dt, steps).into_iter().map(|(x, _, output)| (x, output.force)).collect()
 }
 
-/// Computes the work, J, over the last of `cycles` cycles of a sine.
+/// Computes the work, J, done on the damper over the last of `cycles` cycles of a sine.
 fn loop_area(model: &Model, amplitude: f64, frequency: f64, cycles: usize) -> f64 {
     let n = 2000;
     let points = run(model, &sine(amplitude, frequency), 1.0 / frequency / n as f64, cycles * n);
@@ -35,7 +36,8 @@ fn presliding_does_not_know_the_speed() {
 fn presliding_turns_over_as_the_exponential_of_travel() {
     let (level, length) = (50.0, 2e-4);
     let model = only(&["presliding_friction"], &[("presliding_force", level), ("presliding_length", length)]);
-    // At constant speed from the undeflected contact, F = F_c (1 − exp(−x/z_0)) at any step.
+    // At constant speed from the undeflected contact, F = F_c (1 − exp(−x/z_0)) at any step, with the level F_c and the
+    // length z_0.
     for (v, dt) in [(0.001, 1e-3), (0.05, 1e-3), (0.05, 1e-4)] {
         let mut state = State { velocity: v, ..State::ZERO };
         for i in 1..=50 {
@@ -56,7 +58,7 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
         &["gas_spring"],
         &[("gas_stiffness", k), ("gas_length", length), ("gas_adiabatic_index", index), ("gas_thermal_time", time)],
     );
-    // In slow motion p V is constant, in fast motion p V^γ.
+    // In slow motion the pressure p times the volume V is constant, in fast motion p V^γ with the adiabatic index γ.
     for (frequency, e) in [(1e-4, 1.0), (30.0, index)] {
         let points = run(&model, &sine(0.05, frequency), 1.0 / frequency / 400.0, 400);
         let cold = (1.0 - 0.05 / length).powf(e - 1.0);
@@ -64,16 +66,17 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
             let ratio = 1.0 + x / length;
             let pressure = if e == 1.0 { 1.0 / ratio } else { cold * ratio.powf(-e) };
             let exact = k * length * (1.0 - pressure);
-            // One fast cycle lasts a hundredth of the thermal time.
+            // One fast cycle lasts a hundredth of the thermal time, so the gas is not exactly adiabatic, and the
+            // tolerance is 1.5 %.
             assert!((force - exact).abs() < 0.015 * k * 0.05, "{frequency} Hz at {x}: {force} for {exact}");
         }
     }
-    // Between these frequencies, heat through the wall dissipates energy, most where the period matches the thermal
-    // time.
+    // Between these frequencies, heat through the wall dissipates energy, most where the angular frequency is one over
+    // the thermal time.
     let area = |f: f64| loop_area(&model, 0.05, f, 4);
     let (slow, middle, fast) = (area(1e-3), area(1.0 / (TAU * time)), area(30.0));
     assert!(slow > 0.0 && middle > 3.0 * slow && middle > 3.0 * fast.abs(), "{slow} {middle} {fast}");
-    // The equilibrium is isothermal.
+    // In the equilibrium, which a step of no time gives, the gas has its isothermal force.
     let held = step(&model, &State::ZERO, &Input::motion(0.05, 0.0), 0.0).1;
     assert!((held.gas_force - k * length * (1.0 - 1.0 / (1.0 + 0.05 / length))).abs() < 1e-9);
 }
@@ -127,7 +130,8 @@ fn a_mass_inside_is_internal_mass() {
     for ((_, a), (_, b)) in run(&a, &sine(5e-3, 20.0), 5e-4, 200).iter().zip(&run(&b, &sine(5e-3, 20.0), 5e-4, 200)) {
         assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{a} {b}");
     }
-    // Without a series stiffness the piston moves with the moving end.
+    // Without a series stiffness the piston moves with the moving end, so a mass inside acts as a mass at the moving
+    // end.
     let (a, b) = (
         only(&["moving_mass"], &[("moving_mass", 2.0), ("moving_mass_place", 1.0)]),
         only(&["moving_mass"], &[("moving_mass", 2.0)]),
@@ -168,8 +172,8 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         assert!((output.force / (level * v / (v * v + 1e-6f64).sqrt()) - 1.0).abs() < 1e-6, "{v}: {}", output.force);
         assert!((moved.internal[0] / settled.internal[0] - 1.0).abs() < 1e-9);
     }
-    // After sliding, the force of Dahl's contact decreases twice as fast as it increased. With an elastic return, both
-    // rates are equal.
+    // After sliding, the force of Dahl's contact decreases over the displacement twice as fast as it increased from
+    // zero. With an elastic return, both rates are equal.
     for (back, derivative) in [(0.0, 2.0), (1.0, 1.0)] {
         let model = only(&["presliding_friction"], &[changes[0], changes[1], ("presliding_return", back)]);
         let v = -0.01;
@@ -187,7 +191,7 @@ fn a_contact_of_high_power_bends_before_it_slips() {
         let force = step(&model, &slid, &Input::motion(-travel, v), dt).1.force;
         assert!(((level - force) / (level * 0.02) / derivative - 1.0).abs() < 0.03, "{back}: {force}");
     }
-    // At half of `presliding_length`, the elastic contact is a spring; at twice that length it slides.
+    // At half of `presliding_length`, the contact with n = 8 still acts as a spring; at twice that length it slides.
     assert!((at(&elastic, 0.5 * length) / (0.5 * level) - 1.0).abs() < 2e-3);
     assert!((at(&dahl, 0.5 * length) / (level * (1.0 - (-0.5f64).exp())) - 1.0).abs() < 2e-3);
     assert!((at(&elastic, 2.0 * length) / level - 1.0).abs() < 1e-2);
@@ -212,7 +216,8 @@ fn a_stop_of_oil_is_felt_on_the_way_in_alone_by_speed_or_its_square() {
         let model = of(flow);
         let (slow, fast) = (force(&model, 0.04, 0.5), force(&model, 0.04, 1.0));
         assert!((fast / slow - 2f64.powi(power)).abs() < 0.06, "{flow}: {slow} {fast}");
-        // The damping refers to the depth of the progression and 1 m/s; the contact is soft over half a millimeter.
+        // The damping is the force at the depth of the progression, 0.01 m, and 1 m/s. The contact is soft over half a
+        // millimeter, so the force is a little smaller.
         assert!((fast / 3e3 - 1.0).abs() < 0.1, "{flow}: {fast}");
         assert_eq!(force(&model, 0.04, -1.0), 0.0);
         assert_eq!(force(&model, 0.029, 1.0), 0.0);
@@ -245,7 +250,7 @@ fn stops_act_beyond_their_clearance_alone_and_to_one_side() {
         let soft = d * d / (d + 5e-4);
         assert!((force(0.03 + d, 0.0) - static_force(soft)).abs() < 1e-6);
         assert!((force(0.03 + d, 0.0) / static_force(d) - 1.0).abs() < 0.04);
-        // The loss acts in both directions, the oil only on the way in.
+        // The loss of the spring acts in both directions, the oil only on the way into the stop.
         assert!((force(0.05, -1.0) / force(0.05, 0.0) - 0.8).abs() < 1e-9);
         assert!(force(0.05, 1.0) > 1.2 * force(0.05, 0.0) + 0.9 * 3e3);
         let mut last = 0.0;
@@ -275,7 +280,7 @@ fn states_are_compact() {
     assert!(!Reason::TooManyStates.text().is_empty());
 }
 
-/// Compares the step at 1 ms with a finer explicit solution, for each element with the default damper.
+/// Steps of 1 ms agree with a finer explicit solution, for each parallel element with the default damper.
 #[test]
 fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
     for (elements, changes) in [
@@ -294,14 +299,16 @@ fn a_millisecond_step_is_within_a_thousandth_with_each_element() {
     }
 }
 
-/// With smooth elements, the step converges with the order of the method.
+/// With each parallel element, the step converges with the order of the method, or with the lower order in the table
+/// `orders`.
 ///
 /// The presliding law has a kink of |v| at every reversal, so the motion of this test has no reversal.
 #[test]
 fn order_of_the_step_with_each_element() {
     for (elements, changes, orders) in [
         (&["gas_spring"][..], &[("gas_stiffness", 3e3), ("gas_thermal_time", 0.05)][..], [0.9, 1.9, 3.5, 2.8, 1.8]),
-        // The order is 2 where the limit of the curvature, which lags by τ, has the opposite sign of the curvature.
+        // The order is 2 where the limit of the velocity's curvature, which lags by `moving_mass_time`, has the
+        // opposite sign of the curvature.
         (&["moving_mass"], &[("moving_mass_time", 1e-2)], [0.9, 1.9, 1.9, 1.9, 1.8]),
         (&["presliding_friction"], &[("presliding_length", 5e-3)], [0.9, 1.9, 3.0, 2.8, 1.8]),
     ] {
@@ -318,7 +325,7 @@ fn order_of_the_step_with_each_element() {
             };
             let (coarse, fine) = (error(1), error(2));
             let derivative = (coarse / fine).log2();
-            // The order is at most 4, because the motion is a cubic inside each step.
+            // The order is at most 4, because the kernel's motion inside each step is a cubic.
             assert!(derivative > order || fine < 1e-9, "{elements:?} {method:?}: {coarse:.2e} {fine:.2e} {derivative}");
         }
     }

@@ -1,4 +1,4 @@
-//! All derivatives that the kernel returns equal differences of its outputs.
+//! All derivatives that steps and evaluations return equal differences of their outputs.
 
 use crate::common::*;
 use dashpot_core::evaluate::partials;
@@ -9,13 +9,15 @@ use dashpot_core::{element, list, number};
 use dashpot_test_support::held;
 use proptest::prelude::*;
 
-/// Computes the central difference with Richardson extrapolation. Its error is far below 1e-6.
+/// Computes the derivative of f at 0 by central differences with Richardson extrapolation. Its relative error is far
+/// below 1e-6 for smooth f.
 fn difference(f: impl Fn(f64) -> f64, h: f64) -> f64 {
     let central = |h: f64| (f(h) - f(-h)) / (2.0 * h);
     (4.0 * central(0.5 * h) - central(h)) / 3.0
 }
 
-/// Computes the one-sided differences of f with Richardson extrapolation.
+/// Computes the derivatives of f at 0 from the left and from the right, by one-sided differences with Richardson
+/// extrapolation.
 fn one_sided(f: &impl Fn(f64) -> f64, h: f64) -> [f64; 2] {
     let at = f(0.0);
     [-h, h].map(|h| {
@@ -130,22 +132,23 @@ proptest! {
                     let from = step(&model, &model.steady_state(&input(Some(x), v)), &input(Some(x + 1e-3 * v), v), 1e-3).0;
                     let (x1, v1) = (from.displacement + dt * v + dx * dt / 1e-3, v + dv * dt / 1e-3);
                     let (end, output) = step(&model, &from, &input(Some(x1), v1), dt);
-                    // Any stage may cross a knee, because stages may lie beyond both ends of the step.
+                    // Any stage may cross a knee of the FV curve, because its velocity may lie beyond those at both
+                    // ends of the step.
                     let reach = 0.02 + 2.0 * (end.mass_velocity - from.mass_velocity).abs() + 2.0 * (v1 - v).abs();
                     if near(end.mass_velocity, &knees, reach) || near(v1, &knees, 0.005) || near(v1, &ramp, 0.05 + (v1 - v).abs()) || near(x1, &[-0.04, 0.0, 0.03], 5e-3) {
                         continue;
                     }
                     let force = |x: Option<f64>, v: f64| step(&model, &from, &input(x, v), dt).1.force;
-                    // A bushing's friction sets in over a few millimeters per second. In a short step, micrometers of
-                    // displacement cause such a velocity.
+                    // The differences must be narrower with a bushing that has friction, which sets in over 2 mm/s. In
+                    // a short step, micrometers of displacement cause such a velocity.
                     let fine = if params.number(number!("bushing_slip")) < 1.0 { 0.03 } else { 1.0 };
-                    // With several widths, a knee inside the widest difference does not matter. A wide difference also
-                    // covers the effect of a void of nanometers.
+                    // With several widths, of which one must agree, a knee inside the widest difference does not
+                    // matter. A wide difference also covers the effect of a void of nanometers.
                     let widths = |size: f64| [fine * size, 0.03 * fine * size, 1e-3 * fine * size];
                     let alone = step(&model, &from, &input(None, v1), dt).1.d_force_d_velocity;
                     let k = params.number(number!("series_stiffness"));
-                    // The error of the solver is the square of its last step, which limits the accuracy of a difference
-                    // over a small width. A void with gas has its own iterations inside each evaluation.
+                    // The error of the stage solver is about the square of its last step, which limits the accuracy of
+                    // a difference over a small width. A void with gas has its own iterations inside each evaluation.
                     let share = match model.elements().has_paths() {
                         true if params.is_on(element!("cavitation")) => 1e-3,
                         true => 1e-4,
@@ -199,15 +202,15 @@ proptest! {
                 }
                 s
             };
-            // Force and state derivatives in one row.
+            // Returns the force and the state derivatives as one list.
             let row = |state: &State, x: f64, v: f64| {
                 let (output, rate) = evaluate(&model, state, &input(Some(x), v));
                 let mut row = vec![output.force, rate.mass_displacement, rate.mass_velocity];
                 row.extend(rate.internal);
                 row
             };
-            // For the paths, the smallest width suits the smallest states, because wider differences would cover a void
-            // of nanometers.
+            // With elements in the force paths, the smallest width suits states of nanometers. Wider differences would
+            // reach beyond a void of nanometers.
             let widths = [1.0, 0.1, if paths { 1e-3 } else { 0.1 }];
             for (column, size) in (0..states).map(|i| (i, [2e-6, 1e-4].get(i).copied().unwrap_or(if paths { 1e-7 } else { 1e-4 }))) {
                 for out in 0..=states {

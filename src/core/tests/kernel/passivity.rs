@@ -1,4 +1,5 @@
-//! A damper of friction, series compliance and FV curve only dissipates energy.
+//! A damper without parallel spring and gas force only dissipates energy: over closed cycles, and in free motion with
+//! every method.
 
 use crate::common::*;
 use dashpot_core::assembly::Elements;
@@ -14,10 +15,10 @@ use proptest::prelude::*;
 proptest! {
     #![proptest_config(drawn(200))]
 
-    /// Over closed cycles the work done on the damper is not negative.
+    /// Over closed cycles, the work done on the damper is not negative, within a tolerance.
     ///
-    /// The tolerance covers the initial energy of series spring and mass, and the error of computing work from values
-    /// at the ends of steps.
+    /// The tolerance covers the energy stored before the third cycle, and the error of computing work from values at
+    /// the ends of steps.
     #[test]
     fn no_cycle_returns_more_than_it_took(
         params in any_params(),
@@ -27,20 +28,22 @@ proptest! {
     ) {
         let mut params = params;
         for element in dashpot_core::parameter::names() {
-            // With further stateful elements, the model would have too many states. Therefore the stateful elements
-            // stay as drawn.
+            // With further elements with internal states, the model would have too many states. Therefore these
+            // elements stay on or off as drawn.
             let drawn = WITH_STATES.contains(&element) && params.is_on(Element::find(element).unwrap());
             let keep = !["parallel_spring", "gas_preload", "gas_spring", "lagged_polynomial"].contains(&element);
             params.enable(Element::find(element).unwrap(), keep && (drawn || !WITH_STATES.contains(&element)));
         }
-        // A bushing that hardens within a millimeter oscillates too fast to compute its work from values at the steps.
+        // The bushing hardens little. A bushing that hardens within a millimeter oscillates too fast to compute its
+        // work from values at the ends of steps.
         params.set(number!("bushing_hardening"), 1.0).unwrap();
-        // An FV curve through the origin only dissipates energy; an offset would be a preload.
+        // The FV curve is made odd. A curve through the origin only dissipates energy; a force at zero velocity would
+        // be a preload.
         let (u, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
         let odd: Vec<f64> = (0..u.len()).map(|i| 0.5 * (f[i] - at(&u, &f, -u[i]))).collect();
         params.set_list(list!("fv_force"), &odd).unwrap();
         params.set(number!("fv_interpolation"), 1.0).unwrap();
-        // A Stribeck peak below the Coulomb level would not be friction.
+        // The Stribeck peak is at least the Coulomb level, because a peak below it could drive the motion.
         let (peak, level) = (params.number(number!("stribeck_breakaway_force")), params.number(number!("stribeck_coulomb_force")));
         params.set(number!("stribeck_breakaway_force"), peak.max(level)).unwrap();
 
@@ -73,10 +76,10 @@ proptest! {
     }
 }
 
-/// Computes the energy in the springs and masses.
+/// Computes the energy stored in the springs and masses of the damper, J.
 ///
 /// These are the series spring with gap and bushing, the oil column, and all masses that move with the piston or the
-/// moving end.
+/// moving end. The parallel spring is not included.
 fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State) -> f64 {
     let e = &model.elements().paths;
     let series = &e.series_compliance;
@@ -104,14 +107,14 @@ fn stored(model: &Model, params: &dashpot_core::Params, s: &dashpot_core::State)
     sum
 }
 
-/// Computes the work of a force that grows with a deflection, from 0 to that deflection.
+/// Computes the work, J, of a force that depends on the deflection, from 0 to the deflection `to`, m.
 fn under(force: impl Fn(f64) -> f64, to: f64) -> f64 {
     const PIECES: i32 = 1000;
     (0..PIECES).map(|k| force(to * (f64::from(k) + 0.5) / f64::from(PIECES)) * to / f64::from(PIECES)).sum()
 }
 
-/// Computes the force y of the oil column, including air, at a deflection q. Solves q = y/k + d y/(y + F_a) by
-/// bisection.
+/// Computes the force y of the oil column, including air, N, at a deflection `q`, m. Solves q = y/k + d y/(y + F_a) by
+/// bisection, with the oil's stiffness k and the air's stroke d and force F_a.
 fn column(params: &dashpot_core::Params, q: f64) -> f64 {
     let number = |id| params.number(id);
     let side = |share: f64| if q < 0.0 { share } else { 1.0 };
@@ -160,15 +163,15 @@ fn free_motion_dies_with_every_method() {
     }
 }
 
-/// Energy supplied at the moving end, summed with the weights of the method.
+/// Energy supplied at the moving end, J, summed over the stages with the weights of the method.
 ///
 /// The energy is the sum over the stages of force times stroke of the moving end. The strokes of the stages sum to the
 /// stroke of the step.
 struct PutIn {
     work: f64,
-    /// Displacement of the moving end before the substep.
+    /// Displacement of the moving end before the substep, m.
     from: f64,
-    /// Stroke and force of each stage.
+    /// Stroke of the moving end, m, and force, N, of each stage.
     stages: Vec<(f64, f64)>,
 }
 
@@ -189,14 +192,15 @@ impl Follow for PutIn {
     }
 }
 
-/// An undamped mass, excited near its natural frequency, never has more energy than the moving end supplied.
+/// A mass excited near its natural frequency never has more energy than the moving end supplied. It is undamped, or
+/// damped by the series damper alone.
 ///
 /// The steps hardly resolve the oscillation. Its amplitude depends on the step, because the method shifts its
 /// frequency. The bound holds for the algebraically stable methods. The other methods have no such bound, but free
 /// motion also decays with them.
 ///
-/// The first spring comes from a case of the search (seed 1001, case 5001). In that case, the second-order method gave
-/// 76 kN, and with steps of 1/32 of the length 40 kN.
+/// The first spring comes from a case of the random search in crate `dashpot-abi` (seed 1001, case 5001). In that case,
+/// the second-order method gave a force of 76 kN, and 40 kN with steps of 1/32 of the length.
 #[test]
 fn a_mass_that_swings_with_the_drive_holds_no_more_than_was_put_in() {
     let (speed, mass) = (0.875_444_094_218_036, 0.5);
@@ -229,8 +233,8 @@ fn a_mass_that_swings_with_the_drive_holds_no_more_than_was_put_in() {
             }
         }
     }
-    // The mass must oscillate at resonance. One reversal alone gives the energy at twice the speed of the moving end;
-    // the mass must have much more.
+    // The mass must oscillate at resonance. One reversal alone gives the mass at most the energy at twice the speed of
+    // the moving end; it must reach much more.
     let throw = 2.0 * mass * speed * speed;
     assert!(furthest > 20.0 * throw, "{furthest} J");
 }

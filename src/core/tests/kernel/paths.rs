@@ -22,8 +22,8 @@ fn straight(elements: &[&str], changes: &[(&str, f64)]) -> Model {
 
 const C: f64 = 2000.0;
 
-/// Computes the ratio of the force's first harmonic to that of the motion: in phase with velocity, and in phase with
-/// displacement.
+/// Computes the first harmonic of the force relative to that of the motion. Returns the damping, N s/m, in phase with
+/// velocity, and the stiffness, N/m, in phase with displacement.
 fn gain(model: &Model, amplitude: f64, frequency: f64) -> (f64, f64) {
     let w = TAU * frequency;
     let n = 1000;
@@ -53,13 +53,13 @@ fn air_softens_small_forces_alone() {
     let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
     let air = straight(&["aeration"], &[]);
     let off = |a: f64, frequency: f64| 1.0 - gain(&air, a, frequency).0 / gain(&oil, a, frequency).0;
-    // The forces are 50 N at 0.1 mm and 2.5 kN at 20 mm.
+    // The peak forces are 50 N at 0.1 mm and 2.5 kN at 20 mm.
     let (small, large) = (off(1e-4, 40.0), off(2e-2, 10.0));
     assert!(small > 0.2 && large < 0.05, "{small} {large}");
 }
 
-/// The soft stroke belongs to the chamber under pressure. Without air in compression, the compression stroke is as
-/// stiff as with oil alone.
+/// The soft stroke that air causes belongs to the chamber under pressure. Without air in compression, the compression
+/// stroke is as stiff as with oil alone.
 #[test]
 fn air_in_the_rebound_chamber_softens_rebound_alone() {
     let oil = straight(&["oil_compressibility"], &[("oil_stiffness", 3e7)]);
@@ -79,12 +79,12 @@ fn air_in_the_rebound_chamber_softens_rebound_alone() {
     assert!(off(&one, 1.0) > 0.2 && off(&one, -1.0).abs() < 0.1, "{} {}", off(&one, 1.0), off(&one, -1.0));
 }
 
-/// Play, m, series stiffness, N/m, and softness of the contact, N, of [`with_play`].
+/// Free play, m, of [`with_play`]; below, its series stiffness, N/m, and the softness of its contact, N.
 const PLAY: f64 = 4e-4;
 const PLAY_STIFFNESS: f64 = 3e6;
 const PLAY_FORCE: f64 = 10.0;
 
-/// Makes a spring of 1e5 N/m in series with an eye that has play around a load.
+/// Makes a spring of 1e5 N/m in series with an eye that has free play around the force `load`, N.
 fn with_play(load: f64) -> Model {
     let mut p = params(&[
         ("free_play_gap", PLAY),
@@ -104,7 +104,7 @@ fn with_play(load: f64) -> Model {
 #[test]
 fn free_play_is_a_dead_band_of_its_length() {
     let model = with_play(0.0);
-    // Between large forces of both signs, the deflection is that of the spring plus the whole gap.
+    // Between large forces of both signs, the deflection changes by that of the series spring plus the whole gap.
     for x in [0.02, 0.05] {
         let (a, b) = (model.steady_state(&Input::motion(x, 0.0)), model.steady_state(&Input::motion(-x, 0.0)));
         let force = 1e5 * a.mass_displacement;
@@ -131,14 +131,15 @@ fn a_load_shifts_the_force_at_which_the_gap_opens_and_nothing_else() {
         let (force, found) = deflection(&model, x);
         assert!((found - at(force)).abs() < 1e-10, "{x}: {found} at {force} N, {}", at(force));
     }
-    // Half of the gap lies on either side of the load.
+    // Half of the gap closes above the load, half of it below.
     let part = |from: f64, to: f64| at(to) - at(from) - (to - from) / PLAY_STIFFNESS;
     assert!((part(load, 1e7) - 0.5 * PLAY).abs() < 1e-8 && (part(-1e7, load) - 0.5 * PLAY).abs() < 1e-8);
 }
 
 #[test]
 fn friction_in_a_bushing_loses_the_same_at_any_rate() {
-    // Computes the energy lost in a deflection cycle with a fixed mass. The two cycles below differ in rate by ten.
+    // Computes the energy lost in a deflection cycle with a fixed mass. The two cycles below differ in frequency by a
+    // factor of ten.
     let loss = |frequency: f64| {
         let model = with(
             &["bushing"],
@@ -194,16 +195,18 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
             let points = run(&model, &sine(0.02, 1.0 / (TAU * 0.02)), 2e-4, 1600);
             let most = points.iter().map(|p| sign * p.2.force).fold(0.0, f64::max);
             assert!(most > 999.0 && most < 1012.0, "{most}");
-            // At the cap, the valves pass 0.5 m/s. The void at the reversal is the integral of the speed above 0.5 m/s.
+            // At the cap of 1000 N, the valves pass 0.5 m/s. The void at the reversal is the integral of the speed
+            // above 0.5 m/s.
             let (mut void, mut lost, dt) = (0.0f64, 0.0, 2e-4);
-            // Evaluate the capped stroke and the stroke after it.
+            // Evaluate the first whole capped stroke and the stroke after it.
             let first = if side == 1.0 { 1 } else { 315 };
             for (_, v, output) in points.iter().skip(first).take(626) {
                 let (speed, pull) = (sign * v, sign * output.force);
                 if speed > 0.0 {
                     void = (void + (speed - 0.5) * dt).max(0.0);
                 } else if speed < -0.02 && pull > speed * C + 20.0 {
-                    // While the void closes, the force is zero or equals the cap, which then assists the motion.
+                    // While the void closes, the force is zero, or with `cavitation_return` of 1 equals the cap, which
+                    // then assists the motion.
                     let held = kept * 1000.0;
                     assert!((pull - held).abs() < 25.0 || lost > 0.9 * void, "at {v}: {pull}");
                     lost += (kept * 0.5 - speed) * dt;
@@ -212,7 +215,8 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
             assert!(void > 1e-3 && (lost / void - 1.0).abs() < 0.05, "void {void}, dead stroke {lost}");
         }
     }
-    // A cap above all forces has no effect. The method is fixed, because the automatic choice depends on the elements.
+    // A cap above all forces has no effect. The integration method is fixed, because the automatic choice depends on
+    // the elements.
     let by = ("method", 4.0);
     let (free, capped) = (
         with(&["oil_compressibility"], &[by]),
@@ -226,7 +230,8 @@ fn cavitation_caps_one_stroke_and_leaves_a_dead_stroke_on_the_other() {
     }
 }
 
-/// Returns the force of a linear damper at speed v with a parallel passage of this flow at 1 kN: F/C + q √(F/1 kN) = v.
+/// Returns the force F, N, of a linear damper at velocity `v`, m/s, with a parallel passage: F/C + q √(F/1 kN) = v. C
+/// is 2000 N s/m, and q the flow at 1 kN, as a piston velocity in m/s.
 fn beside_a_passage(flow: f64, v: f64) -> f64 {
     // The equation is quadratic in √F.
     let (a, b) = (1.0 / C, flow / 1000f64.sqrt());
@@ -246,7 +251,8 @@ fn a_groove_adds_flow_where_it_is() {
     let model = straight(&["position_dependent_damping"], &groove);
     let force = |x: f64, v: f64| evaluate(&model, &State::ZERO, &Input::motion(x, v)).0.force;
     for v in [0.2, 0.5, 1.0] {
-        // Below 20 N the orifice is linear. At these forces, the effect is below two thousandths.
+        // Below about 20 N the groove is linear. At the forces of this test, the effect on the force is below two
+        // thousandths.
         assert!((force(0.0, v) / beside_a_passage(0.2, v) - 1.0).abs() < 2e-3, "{v}: {}", force(0.0, v));
         assert!((force(0.05, v) / (C * v) - 1.0).abs() < 1e-6);
         assert!((force(0.0, -v) / (C * -v) - 1.0).abs() < 1e-9);
@@ -261,8 +267,8 @@ fn an_oil_column_is_softer_where_it_is_longer() {
             &["oil_compressibility"],
             &[("oil_stiffness", k), ("oil_shortening", shortening), ("oil_chambers", chambers)],
         );
-        // The stroke around 20 mm of extension is so short that the displacement hardly changes. Before the valves
-        // respond, the stiffness is k/ℓ in both strokes.
+        // The stroke around 20 mm of extension is so short that the displacement hardly changes. The rate of the force
+        // over the velocity that the oil absorbs is then the stiffness k/ℓ in both strokes, with the relative length ℓ.
         for (sign, length) in [1.0, -1.0].into_iter().zip(at_rebound_end) {
             let x0 = 0.02;
             let start = State { displacement: x0, ..model.steady_state(&Input::motion(x0, 0.0)) };
@@ -335,7 +341,7 @@ fn gas_in_a_void_gives_way_as_it_expands() {
         let (mut void, mut largest) = (0.0f64, 0.0f64);
         for (_, v, output) in &points {
             let pull = sign * output.force;
-            // The flow that the valves do not pass at this force changes the void.
+            // The void changes by the part of the stroke's flow that the valves do not pass at this force.
             void = (void + (sign * v - pull / C) * dt).max(0.0);
             largest = largest.max(void);
             if void > 1e-4 {
@@ -363,7 +369,7 @@ fn viscosity_follows_vogel() {
         let viscosity = (b / (temperature + offset) - b / (reference + offset)).exp();
         assert!((force / (0.5 * C) / viscosity - 1.0).abs() < 1e-9);
     }
-    // Far below the reference temperature the law has no meaning, but the force stays finite.
+    // Far below the reference temperature Vogel's law has no meaning, but the force stays finite.
     let at = Input { temperature: -200.0, ..Input::motion(0.0, 0.5) };
     assert!(step(&model, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force < 0.5 * C * 21.0);
 }
@@ -383,7 +389,8 @@ fn fade_follows_the_temperature_given_and_the_heat_made() {
     let at = Input { temperature: 90.0, ..Input::motion(0.0, 0.5) };
     let force = step(&half, &State { velocity: 0.5, ..State::ZERO }, &at, 1e-3).1.force;
     assert!((force / (0.5 * C) - 0.5 * (1.0 + (-a * 70.0).exp())).abs() < 1e-9);
-    // At constant speed, C dϑ/dt = P − h ϑ, with the power P of the faded force.
+    // At constant speed, the temperature rise ϑ satisfies C dϑ/dt = P − h ϑ. P is the power of the faded force, C here
+    // the heat capacity, and h the heat transfer.
     let changes = [("fade_source", 1.0), ("fade_coefficient", a), ("heat_capacity", 500.0), ("heat_transfer", 50.0)];
     let own = straight(&["temperature_fade"], &changes);
     let (v, dt) = (0.5, 1e-3);
@@ -411,7 +418,7 @@ fn frequency_selective_damping_is_firm_when_slow_and_soft_when_fast() {
     let at = |frequency: f64| gain(&stroke, 0.3 / TAU / frequency, frequency).0 / C;
     let (slow, fast) = (at(0.2), at(15.0));
     assert!(slow > 0.95 && fast < 1.0 - 0.8 * a, "{slow} {fast}");
-    // This passage is closed in slow strokes and open in fast strokes.
+    // In the bypass form, the passage is closed in slow strokes and open in strokes of high frequency.
     let passage = straight(
         &["frequency_selective_damping"],
         &[("fsd_form", 2.0), ("fsd_flow", 0.1), ("fsd_time", tau), ("fsd_force", 20.0)],
@@ -453,8 +460,8 @@ fn a_late_valve_takes_more_while_speed_rises() {
         };
         let (slow, fast) = (difference(0.2), difference(8.0));
         assert!(fast > 30.0, "{ratio}: {fast}");
-        // The loop that the time constant causes vanishes in slow motion. A valve with a lower closing than opening
-        // force keeps part of its loop.
+        // The hysteresis loop that the time constant causes vanishes in slow motion. A valve with a lower closing than
+        // opening force keeps part of its loop.
         assert!(if ratio == 1.0 { slow < 0.1 * fast } else { slow > 20.0 }, "{ratio}: {slow}");
     }
 }
@@ -478,15 +485,16 @@ fn a_valve_with_play_has_a_loop_however_slow_the_motion() {
             let i = (from..to).min_by(|a, b| (points[*a].1 - v).abs().total_cmp(&(points[*b].1 - v).abs()));
             points[i.unwrap()].2.force
         };
-        // The speed rises in the first quarter of a cycle and falls in the second quarter. Below the opening force,
-        // there is no loop.
+        // The speed rises in the first quarter of a cycle and falls in the second quarter. Below the opening force of
+        // 300 N, rising and falling speed give equal forces.
         let (up, down) = ((n, n + n / 4), (n + n / 4, n + n / 2));
         [0.3, 0.05].map(|v| at(up.0, up.1, v) - at(down.0, down.1, v))
     };
     for frequency in [0.05, 1.0] {
         let [above, below] = loops(frequency);
-        // On a linear curve, F_h p = F². F_h is above F by half the play while speed rises, and below F by half the
-        // play while speed falls. The play at 600 N is P F/(F + P).
+        // F is the force of the linear FV curve, F_h that behind the valve, and p that of the valve's position. They
+        // satisfy F_h p = F². F_h is above F by half the play while speed rises, and below F by half the play while
+        // speed falls. The play P of 100 N counts at F = 600 N as P F/(F + P).
         assert!((above - 85.7).abs() < 5.0, "{frequency} Hz: {above}");
         assert!(below.abs() < 3.0, "{frequency} Hz: {below}");
     }
@@ -528,8 +536,8 @@ fn settled_states_rest() {
     }
 }
 
-/// A step repeated from a copied state gives equal bits. Without a void, the force of a step agrees with the evaluation
-/// at the end of the step.
+/// A step repeated from a copied state gives equal bits. Without a void, the force of a step agrees with that of an
+/// evaluation of the state at the end of the step.
 #[test]
 fn a_step_ends_where_evaluation_finds_it() {
     for (name, params) in paths() {
@@ -545,7 +553,7 @@ fn a_step_ends_where_evaluation_finds_it() {
                 let direct = evaluate(&model, &next, &Input::motion(x, v)).0;
                 let force = output.force.abs().max(100.0);
                 // Without an oil column, one equation determines the force and the closing of a void. Its solution is
-                // sensitive to micrometers.
+                // sensitive to micrometers of the void, so dampers with a void are not compared.
                 let void = params.is_on(element!("cavitation"));
                 assert!(
                     void || (output.force - direct.force).abs() < 1e-6 * force,
@@ -559,8 +567,8 @@ fn a_step_ends_where_evaluation_finds_it() {
     }
 }
 
-/// If the method would move a valve or a control chamber beyond its range, the state is clamped, with exact
-/// derivatives.
+/// The integration method may move the opening of a valve or the filled fraction of a chamber beyond its range. The
+/// state is then clamped, with exact derivatives.
 #[test]
 fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
     let late: &[(&str, f64)] = &[("valve_hysteresis_share", 0.75)];
@@ -588,9 +596,9 @@ fn openings_and_fillings_stay_within_their_ranges_with_exact_derivatives() {
             let (next, output) = step(&model, &state, &input(x, v), 2e-3);
             let at = next.internal[0];
             assert!((least..=1.0).contains(&at), "{elements:?} {i}: {at}");
-            // A state that was beyond its range before the last stage ends near the limit.
+            // A state whose known part was clamped in the last stage ends near a limit of its range.
             ends += usize::from(at > 0.9 || at < least + 0.1);
-            // If two differences agree, the derivative must equal them.
+            // If the differences of two widths agree, the derivative must equal them.
             let force = |h: f64| step(&model, &state, &input(x, v + h), 2e-3).1.force;
             let central = |h: f64| (force(h) - force(-h)) / (2.0 * h);
             let (coarse, fine) = (central(1e-6), central(5e-7));
@@ -611,7 +619,8 @@ impl FollowPaths for Nobody {
     fn paths_stage(&mut self, _: &dyn StageDerivatives) {}
 }
 
-/// A damper that fades as a whole uses the plain step. The step through the paths has the same equation and agrees.
+/// A damper whose force fades as a whole uses the plain step. The general step through the force paths solves an equal
+/// equation and gives equal forces within rounding.
 #[test]
 fn a_fading_damper_steps_as_through_the_paths() {
     let (mut apart, mut steps) = (0, 0);
@@ -636,8 +645,8 @@ fn a_fading_damper_steps_as_through_the_paths() {
                     let mut wanted = Output::ZERO;
                     advance_paths(&model, &mut through, &input, dt, &mut Nobody, &mut wanted);
                     let off = (got.force - wanted.force).abs() / (1.0 + wanted.force.abs());
-                    // The difference is larger if the step through the paths repeated a substep in pieces, because of
-                    // an apparent overshoot.
+                    // The difference is larger if the step through the force paths repeated a substep in pieces,
+                    // because it detected an apparent overshoot.
                     assert!(off < 1e-2, "{method:?} {substeps} {dt} {series}: {} for {}", got.force, wanted.force);
                     apart += usize::from(off > 1e-8);
                     steps += 1;

@@ -9,7 +9,7 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use std::f64::consts::TAU;
 
-/// Velocity that advances the displacement.
+/// Velocity with which the host advances the displacement: that at the end of the step, or that at its start.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Advances {
     New,
@@ -19,7 +19,7 @@ enum Advances {
 const HOSTS: [Advances; 2] = [Advances::New, Advances::Old];
 const STEP: f64 = 1e-3;
 
-/// Returns the forces in a host with the velocities of the motion.
+/// Returns the forces, N, in a host that has the velocities of `motion` and advances the displacement itself.
 fn in_host(model: &Model, motion: &impl Fn(f64) -> (f64, f64), host: Advances, steps: usize) -> Vec<f64> {
     let (mut x, mut v) = motion(0.0);
     let mut state = model.steady_state(&Input::motion(x, v));
@@ -35,7 +35,8 @@ fn in_host(model: &Model, motion: &impl Fn(f64) -> (f64, f64), host: Advances, s
         .collect()
 }
 
-/// In both kinds of host, 2 kg act as 2 kg, by the force component in phase with the acceleration over whole cycles.
+/// In both kinds of host, a moving mass of 2 kg acts as 2 kg. This mass is computed from the force component in phase
+/// with the acceleration over whole cycles.
 #[test]
 fn two_kilograms_act_as_two_kilograms() {
     for (inside, time) in [(0.0, 2e-4), (1.0, 2e-4), (0.0, 1e-4), (0.0, 1e-3)] {
@@ -59,7 +60,7 @@ fn two_kilograms_act_as_two_kilograms() {
     }
 }
 
-/// At a constant acceleration the force of the mass has no lag.
+/// At a constant acceleration, the force of a moving mass equals mass times acceleration from the sixth step on.
 #[test]
 fn a_constant_acceleration_gives_the_mass_to_the_slack() {
     let model = only(&["moving_mass"], &[]);
@@ -84,15 +85,16 @@ fn cases() -> Vec<(String, Params)> {
     all
 }
 
-/// Tolerance, relative to the largest force, for all elements except the spool without series compliance.
+/// Tolerance of the forces, relative to the largest force, for all elements except the valve with mass (spool) without
+/// series compliance.
 ///
 /// The spool has the tolerance `SPOOL_WITHIN`, because it responds immediately to the mean velocity of the
 /// displacement. A lag of half a step changes its opening and thus the peak of the force.
 const WITHIN: f64 = 0.03;
 const SPOOL_WITHIN: f64 = 0.2;
 
-/// In both kinds of host, the force lies within the extremes of the exact force in a window around the step. The window
-/// begins one and a half steps before and ends one and a half steps after.
+/// In both kinds of host, the force lies within the extremes of the exact force in a window around the end of the step.
+/// The window begins one and a half steps before that time and ends one and a half steps after it.
 ///
 /// The displacement in the host leads or lags by half a step, so the force may also lead or lag.
 #[test]

@@ -1,8 +1,8 @@
 //! If a damper is scaled in proportion, its forces scale by the same factor.
 //!
-//! The other tests check dampers within the bounds of a passenger car, so their results hold for all allowed dampers.
-//! Oil, voids and valves contain small constant forces (a leakage, a laminar flow, a contact) that do not scale. For
-//! these elements, the search of the C interface draws dampers of all sizes.
+//! The other tests check dampers within the bounds of a passenger car. Because of this property, their results hold for
+//! allowed dampers of all sizes. Oil, voids and valves contain small constant forces (a leakage, a laminar flow, a
+//! contact) that do not scale. For these elements, the random search in crate `dashpot-abi` draws dampers of all sizes.
 
 use crate::common::{any_params, describe};
 use dashpot_core::parameter::{List, Number, table};
@@ -10,11 +10,11 @@ use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params, Reason, element, number};
 use proptest::prelude::*;
 
-/// Scales all parameters that grow with the damper by `size`; `None` if the table does not allow the result.
+/// Scales all parameters that grow with the damper by `size`; `None` if the parameter table does not allow a result.
 fn of_size(params: &Params, size: f64) -> Option<Params> {
     let mut other = *params;
     for row in table() {
-        // The largest value of this parameter means "no limit" and is not scaled.
+        // The largest value of `fade_laminar_force` means that the whole force is laminar, and is not scaled.
         let laminar = row.parameter.name == "fade_laminar_force" && params.get(&row)[0] < row.parameter.high;
         if !row.parameter.grows && !laminar {
             continue;
@@ -34,7 +34,7 @@ proptest! {
     #[test]
     fn a_damper_of_another_size_moves_alike(
         params in any_params(),
-        // The factors are powers of four, so rounding is equal in both dampers and every difference comes from the
+        // The factors are powers of four. Rounding is then equal in both dampers, and every difference comes from the
         // model.
         size in prop::sample::select(vec![1.0 / 256.0, 1.0 / 16.0, 4.0, 64.0]),
         amplitude in 0.0005..0.05f64,
@@ -94,7 +94,7 @@ fn a_number_of_another_size_is_named() {
     assert_eq!(Model::check(&params).unwrap_err().reason, Reason::OutOfProportion);
 }
 
-/// Numbers within a car damper's bounds may violate other conditions, but they are in proportion to each other.
+/// Numbers at the ends of a car damper's bounds may violate other conditions, but the check of proportion accepts them.
 #[test]
 fn what_a_car_may_have_goes_together() {
     for low in [true, false] {

@@ -7,12 +7,13 @@ use dashpot_core::{element, list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-/// Steps through `motion` and compares the deflection of the series spring with an energy bound. Then keeps the moving
-/// end fixed and compares the force with the static force.
+/// Steps through `motion` (displacement, m, and velocity, m/s) and compares the deflection of the series spring with an
+/// energy bound. Then keeps the moving end fixed and compares the force with the static force.
 ///
-/// H = m u²/2 + k_s e²/2 + ∫F_p is the energy of the mass with velocity u, the series spring and the parallel spring.
-/// √H grows at most in proportion to the speed of the moving end. The deflection e is thus at most the length of the
-/// path, plus a part from the parallel spring and the FV curve's offset. The test allows twice that length.
+/// H = m u²/2 + k_s e²/2 + ∫F_p is the energy of mass, series spring and parallel spring. The mass m has the velocity
+/// u, the series spring the stiffness k_s and the deflection e, and the parallel spring the force F_p. √H grows at most
+/// in proportion to the speed of the moving end. The deflection e is thus at most the length of the path, plus a part
+/// from the parallel spring and the FV curve's offset. The test allows twice that length.
 fn run(
     params: &dashpot_core::Params,
     motion: &[(f64, f64)],
@@ -28,7 +29,7 @@ fn run(
     for (x, v) in motion {
         let input = if velocity_only { Input::velocity(*v) } else { Input::motion(*x, *v) };
         let (next, output) = step(&model, &state, &input, dt);
-        // This increment is an upper bound for the length of the cubic path.
+        // This increment is an upper bound for the length of the moving end's path in the step, a cubic.
         length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
         state = next;
         prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", describe(params));
@@ -43,7 +44,7 @@ fn run(
             );
         }
     }
-    // With a fixed end the motion decays. Afterwards the force equals the static force.
+    // With a fixed moving end the motion decays. Afterwards the force equals the static force.
     let hold = Input::motion(state.displacement, 0.0);
     for _ in 0..1000 {
         state = step(&model, &state, &hold, 1e-2).0;
@@ -51,8 +52,8 @@ fn run(
     let (end, output) = step(&model, &state, &hold, 1e-2);
     prop_assert!(end.is_finite() && output.force.is_finite(), "hold: {}", describe(params));
     let still = (0..8).all(|i| (end.internal[i] - state.internal[i]).abs() <= 1e-12 * state.internal[i].abs());
-    // Beyond 50 mm of deflection the step linearizes the parallel spring (see `step`). A deflected contact stays
-    // deflected.
+    // Beyond 50 mm of deflection the step linearizes the parallel spring (see `step`). A deflected friction contact
+    // stays deflected, which the static force does not include.
     let bends = params.is_on(element!("presliding_friction"));
     if !bends && end.mass_velocity.abs() < 1e-12 && still && output.series_deflection.abs() < 0.05 {
         let wanted = model.static_output(&hold);
@@ -76,7 +77,7 @@ proptest! {
         dt in (-5.0..-2.0f64).prop_map(|d| 10f64.powf(d)),
         velocity_only in any::<bool>(),
     ) {
-        // If the input is a velocity alone, the total displacement must not exceed the length of a damper.
+        // If the input is a velocity alone, the total displacement must not exceed 0.1 m, a damper's stroke.
         let travel: f64 = motion.iter().map(|(_, v)| v.abs() * dt).sum();
         let scale = if velocity_only { (0.1 / travel).min(1.0) } else { 1.0 };
         // The largest jump gives 100 kN in the series spring, which is the largest plausible error of an input.
@@ -132,11 +133,11 @@ fn steps_of_any_length_stay_finite() {
     }
 }
 
-/// Steps in which the pressure moves to the other chamber agree with short steps. The FV curve has 19 kN at rest. After
-/// the reversal, the chamber under pressure is twenty times as long.
+/// Steps in which the pressure moves to the other oil chamber agree within 2 % and 600 N with steps a sixteenth as
+/// long. The FV curve has 19 kN at rest. After the reversal, the chamber under pressure is twenty times as long.
 ///
 /// An earlier version used the column's deflection as its state. The step at the reversal of the force then returned
-/// -24 kN instead of 9 kN, and eight steps later 0.6 GN.
+/// -24 kN instead of 9 kN, and a step eight steps later 0.6 GN.
 #[test]
 fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     let mut p = params(&[
@@ -178,8 +179,8 @@ fn a_step_in_which_the_other_chamber_takes_over_answers_as_its_pieces_do() {
     }
 }
 
-/// The deflection stays below 0.2 m although the first guess is far from the solution on a hardening spring. The oil
-/// stores 10 kJ at rest, so the mass follows any jump.
+/// The series spring deflects less than 0.2 m, although the first guess of a stage is far from the solution on a
+/// hardening spring. The oil stores 10 kJ at rest, so the mass follows any jump.
 #[test]
 fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     let mut p = params(&[
@@ -202,11 +203,11 @@ fn a_jump_on_soft_oil_behind_a_hardening_spring_stays_near() {
     }
 }
 
-/// The deflection stays below 5 mm with a strongly damped series path. One chamber of the column is forty times as long
-/// as the other.
+/// The deflection of the series spring stays below 5 mm with a strongly damped series path. One chamber of the column
+/// is forty times as long as the other.
 ///
 /// The damping masks the effect of the column and of a lagging valve in the total force. In an earlier version, the
-/// fourth-order method combined its stages to 1325 m of oil. Four steps later, the mass had 18 km/s.
+/// fourth-order method combined its stages to 1325 m of absorbed stroke. Four steps later, the mass had 18 km/s.
 #[test]
 fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     let mut p = params(&[
@@ -258,11 +259,11 @@ fn strong_damping_of_the_series_path_does_not_hide_a_column_that_is_thrown() {
     }
 }
 
-/// The hydraulic force of a column under 15 kN stays below 25 kN in strokes of 60 mm from rest to rest. In each stroke,
+/// An oil column under 15 kN keeps a hydraulic force below 25 kN in strokes of 60 mm from rest to rest. In each stroke,
 /// the column's length changes up to tenfold.
 ///
-/// An earlier version used the velocities at the stages. With the cheapest method, the column then did not deflect at
-/// all; with the fourth-order method, the force reached 9 MN.
+/// An earlier version computed the change of the column from the velocities of the moving end at the stages. With the
+/// cheapest method, the column then did not deflect at all; with the fourth-order method, the force reached 9 MN.
 #[test]
 fn strokes_between_two_instants_of_rest_leave_a_column_the_force_of_its_valves() {
     for (shortening, chambers) in [(10.0, 0.0), (-50.0, 0.0), (10.0, 1.0), (-15.0, 1.0)] {

@@ -8,8 +8,8 @@ use dashpot_test_support::drawn;
 use proptest::prelude::*;
 use std::f64::consts::PI;
 
-/// Returns the bits of the physical numbers of a state, and of all numbers of an output except stop force and oil
-/// temperature.
+/// Returns the bits of a state's displacements, velocities and internal states, and of all numbers of an output except
+/// stop force and oil temperature.
 fn bits(state: &State, output: &Output) -> Vec<u64> {
     let s = [state.displacement, state.velocity, state.mass_displacement, state.mass_velocity];
     let o = [
@@ -83,7 +83,7 @@ proptest! {
 
 /// If an element is switched on or off, no internal state may become the state of another element.
 ///
-/// An earlier version interpreted a contact's deflection of 0.3 mm as newtons and returned 24 MN.
+/// An earlier version interpreted a friction contact's deflection of 0.3 mm as newtons and returned a force of 24 MN.
 #[test]
 fn a_state_outlives_a_switch_of_elements() {
     for switched in WITH_STATES {
@@ -118,7 +118,7 @@ fn a_state_outlives_a_switch_of_elements() {
         let back = with.laid_out(&there);
         let kept = named(&with, &back).iter().zip(&before).filter(|(a, b)| a == b).count();
         assert!(kept >= named(&without, &there).len(), "{switched}: {before:?} {back:?}");
-        // The run then continues with a force close to that of either damper.
+        // In the next step, the dampers with and without the element have forces within 3 kN of each other.
         let (x, v) = motion(0.071);
         let to = Input::motion(x, v);
         let (with_it, without_it) = (step(&with, &state, &to, 1e-3).1.force, step(&without, &state, &to, 1e-3).1.force);
@@ -127,7 +127,7 @@ fn a_state_outlives_a_switch_of_elements() {
     }
 }
 
-/// Steps of zero length must keep the friction state, and return the derivative at standstill.
+/// Steps of zero length must keep the friction state, and return the derivatives of the force at standstill.
 #[test]
 fn a_pause_keeps_the_friction_of_a_bent_contact() {
     for elements in [&["presliding_friction"][..], &["presliding_friction", "oil_compressibility"]] {
@@ -138,7 +138,7 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         p.enable(element!("stribeck_friction"), false);
         let model = Model::new(&p).unwrap();
         let mut state = model.steady_state(&Input::motion(0.0, 0.0));
-        // The motion covers ten millimeters with smooth ends, followed by standstill.
+        // The motion covers ten millimeters in 0.2 s with smooth ends, followed by standstill.
         let motion = |t: f64| {
             let share = (t / 0.2).min(1.0);
             (5e-3 * (1.0 - (PI * share).cos()), if share < 1.0 { 5e-3 * PI / 0.2 * (PI * share).sin() } else { 0.0 })
@@ -153,8 +153,8 @@ fn a_pause_keeps_the_friction_of_a_bent_contact() {
         let (same, output) = step(&model, &state, &here, 0.0);
         assert_eq!(same, state);
         assert!((output.force - held).abs() < 1e-3 && output.friction_force > 39.0, "{elements:?}: {held} {output:?}");
-        // The displacement derivative is the contact's mean stiffness over both directions, the velocity derivative
-        // that of the FV curve at rest.
+        // The displacement derivative contains the friction contact's mean stiffness over both directions. The velocity
+        // derivative is that of the FV curve at zero velocity.
         let moved = |by: f64| step(&model, &state, &Input::motion(state.displacement + by, 0.0), 0.0).1.force;
         let by_x = (moved(1e-7) - moved(-1e-7)) / 2e-7;
         assert!((output.d_force_d_displacement - by_x).abs() < 1e-2 * by_x, "{elements:?}: {by_x} {output:?}");
@@ -178,14 +178,14 @@ fn static_derivatives_are_those_of_the_static_force() {
 
 #[test]
 fn the_run_has_these_digits_on_every_platform() {
-    // This test does not check the model. It sums the bits of a run with every method, which must be equal on every
-    // platform.
+    // This test does not check the model. It combines the bits of a run with every method into one number, which must
+    // be equal on every platform.
     let mut sum = 0u64;
     for method in METHODS {
         let model = model(&[]).with_integration(Integration::fixed(method, 2));
         let mut state = model.steady_state(&Input::motion(0.0, 0.0));
         for i in 0..500 {
-            // The velocity is a sawtooth, because a sine would depend on a library.
+            // The velocity is a sawtooth, because the digits of a sine would depend on a library.
             let phase = (i % 100) as f64 / 100.0;
             let v = if phase < 0.5 { phase } else { phase - 1.0 };
             let (next, output) = step(&model, &state, &Input::velocity(v), 1e-3);
@@ -198,7 +198,8 @@ fn the_run_has_these_digits_on_every_platform() {
 
 const DIGITS: u64 = 0x1d17_67ef_1080_69d5;
 
-/// With every method, the series spring balances a curve's force at zero velocity, both at rest and in steady motion.
+/// With every method, the series spring balances an FV curve that has 150 N at zero velocity, both at rest and in
+/// steady motion.
 #[test]
 fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
     let mut p = params(&[("fv_form", 0.0), ("spring_linear", 2e4)]);
@@ -224,19 +225,19 @@ fn what_is_settled_on_a_curve_with_a_force_at_rest_stays() {
             let (after, output) = step(&model, &state, &Input::motion(0.01 + 1e-3 * v * f64::from(k), v), 1e-3);
             (state, force) = (after, output.force);
         }
-        // In steady motion, curve, spring and friction sum as without the series spring. Only the displacement of the
-        // mass differs, by the deflection.
+        // In steady motion, the force is the sum of FV curve, parallel spring and friction, as without the series
+        // spring. The parallel spring acts at the displacement of the mass.
         let at = Input::motion(state.mass_displacement, v);
         let wanted = dashpot_core::evaluate(&stiff, &State::ZERO, &at).0.force;
         assert!((force - wanted).abs() < 5e-3 * wanted, "{method:?}: {force} of {wanted} at {v} m/s");
     }
 }
 
-/// The static force balances its components, and a run at rest converges to it. With a groove, the force of a nearly
-/// closed valve rises steeply. In an earlier version, the iteration for the state of frequency-selective damping
-/// therefore oscillated forever.
+/// The static force balances its components, and a run at rest converges to it. With a groove parallel to a valve, the
+/// force rises steeply. In an earlier version, the iteration for the state of frequency-selective damping therefore
+/// oscillated without end.
 ///
-/// The static force was then 83 kN, although the valves had 0.3 kN.
+/// The static force of that version was 83 kN, although the valves had 0.3 kN.
 #[test]
 fn a_static_answer_is_balanced_where_a_state_overshoots_what_it_is_drawn_to() {
     let mut p = params(&[

@@ -1,7 +1,7 @@
 //! Tests of the derivatives of long steps with nonlinear springs nearly as stiff as the series spring.
 //!
-//! In such steps, the position about which a spring is linearized depends on the inputs. The stiffness of the tangent
-//! therefore also depends on them.
+//! In such steps, the position about which a spring is linearized depends on the inputs. The stiffness of the tangent,
+//! and thus the derivatives of the step, also depend on them.
 
 use crate::common::METHODS;
 use dashpot_core::step::{Integration, step};
@@ -10,14 +10,15 @@ use dashpot_core::{list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-/// Largest error of a derivative, relative to its value plus a small fraction of the largest derivative in a stiff
-/// step.
+/// Largest error of a derivative, relative to its value plus a hundredth of the derivative's scale: the series
+/// stiffness, or this stiffness times the step.
 const ALLOWED: f64 = 5e-3;
 
 /// Series stiffness, N/m: about as large as the stiffness of the springs on the mass.
 const SERIES: f64 = 3e5;
 
-/// Computes one-sided differences with Richardson extrapolation.
+/// Computes the derivatives of f at 0 from the left and from the right, by one-sided differences with Richardson
+/// extrapolation.
 fn one_sided(f: &dyn Fn(f64) -> f64, width: f64) -> [f64; 2] {
     let at = f(0.0);
     [-width, width].map(|h| {
@@ -72,7 +73,8 @@ proptest! {
                     ];
                     for (what, value, f, width) in compared {
                         let scale = if what == "dF/dx" { SERIES } else { SERIES * dt };
-                        // A knee of a table or of the FV curve may lie within the wider difference.
+                        // A knee of a table or of the FV curve may lie within the wider difference, so the closer of
+                        // two widths counts.
                         let misses = [width, 1e-2 * width].map(|width| {
                             let sides = one_sided(f, width);
                             distance(value, sides) / (value.abs().max(sides[0].abs()) + 1e-2 * scale)

@@ -1,4 +1,4 @@
-//! A step without derivatives gives bitwise the result of a step with derivatives.
+//! A step without derivatives gives, bit by bit, the force and the state of a step with derivatives.
 
 use crate::common::*;
 use dashpot_core::step::{force_in_place, step_in_place};

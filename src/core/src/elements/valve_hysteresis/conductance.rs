@@ -1,50 +1,56 @@
-//! Conductance of the passage of a lagging valve, g(h) = W(h)²/h, computed from the FV curve and stored as a table.
+//! Conductance of the passage of a lagging valve, g(h) = W(h)²/h, stored as a table. W is the velocity at which the FV
+//! curve has the force h.
 
 use crate::tables::{Conducted as At, Conduction, ForceLaw};
 
-/// Resistance, N s/m, added to the FV curve so that W is unique where the curve is horizontal.
+/// Resistance, N s/m, added to the FV curve, so that the velocity W at a given force is unique where the curve is
+/// horizontal.
 const LEVEL: f64 = 5.0;
-/// Squared velocity, m²/s², that keeps g above zero where the FV curve has zero velocity.
+/// Squared velocity, m²/s², added to W² in the conductance g = W²/h, which is therefore above zero at W = 0.
 const LEAST: f64 = 1e-12;
-/// Number of Householder steps for W. Most of them run when a model is prepared, where their time matters little. They
-/// also run beyond the table, and in the steps of a family whose FV curve or valve depends on the setting.
+/// Largest number of Householder steps for the velocity W at a given force of the FV curve. Most of them run when a
+/// model is prepared, where their time matters little. They also run for forces beyond the table, and in each step of a
+/// family whose FV curve or valve depends on the setting.
 const STEPS: usize = 8;
 /// Number of nodes of the table per power of two of the force.
 const PER_OCTAVE: usize = 16;
-/// Number of low bits of a force, as a double, that give the position between two nodes. The bits above count the
-/// nodes.
+/// Number of low bits of a force, as a double, that give its position between two nodes of the table. The bits above
+/// count the nodes.
 const BEHIND: u32 = 48;
-/// Number of powers of two of the force that the table covers, from the opening force on. At larger forces g is
-/// computed from the FV curve itself.
+/// Number of powers of two of the force that the table covers, from the opening force on. At larger forces the
+/// conductance is computed from the FV curve itself.
 const OCTAVES: usize = 12;
 const PLACES: usize = OCTAVES * PER_OCTAVE;
 
 /// Table of the conductance g = W²/h over the force h, for both strokes, with cubics between its nodes. W is the
-/// velocity at which the FV curve has the force h. The nodes divide every power of two evenly.
+/// velocity, m/s, at which the FV curve has the force h, N. The nodes divide every octave (factor of two) of the force
+/// into equal intervals.
 ///
 /// Each cubic stays between the values at its ends.
 #[derive(Clone, Copy, Debug)]
 pub struct Conductance {
-    /// The leading bits of the first node's force.
+    /// The leading bits of the first node's force, as a double without its [`BEHIND`] low bits.
     first: u64,
     strokes: [[At; PLACES + 1]; 2],
 }
 
-/// Computes the velocity W at which the FV curve has the force h on a stroke, and the derivative of the curve there.
+/// Computes the velocity W, m/s, at which the FV curve has the force `h`, N, and the derivative of the curve there, N
+/// s/m. `stroke` is 1 for rebound and −1 for compression.
 #[inline(always)]
 fn velocity(curve: &impl ForceLaw, h: f64, stroke: f64) -> (f64, f64) {
     let (w, read) = curve.solve::<STEPS>(LEVEL, h * stroke + curve.at_zero());
     (w, read.derivative)
 }
 
-/// Computes g and its derivative from the FV curve itself.
+/// Computes the conductance g at the force `h`, N, and dg/dh from the FV curve instead of the table. `stroke` is 1 for
+/// rebound and −1 for compression.
 pub(crate) fn exact(curve: &impl ForceLaw, h: f64, stroke: f64) -> At {
     let (w, derivative) = velocity(curve, h, stroke);
     let g = (w * w + LEAST) / h;
     At { g, by_h: (2.0 * w * stroke / (LEVEL + derivative) - g) / h }
 }
 
-/// Limits the derivative of g at a node, so that the adjacent cubics stay between their end values.
+/// Limits the derivative of the conductance g at a node, so that the adjacent cubics stay between their end values.
 ///
 /// `limits` are three times the derivatives of the adjacent chords (Fritsch & Carlson, SIAM J. Numer. Anal. 17, 1980).
 /// `None` stands for the missing chord of the first and the last node.
@@ -54,28 +60,29 @@ fn limited(derivative: f64, limits: [Option<f64>; 2]) -> f64 {
     })
 }
 
-/// Returns three times the derivative of the chord of g from a node to the next.
+/// Returns three times the slope of the chord of the conductance g from a node to the next.
 fn limit(first: u64, node: usize, from: &At, to: &At) -> f64 {
     3.0 * (to.g - from.g) / (force_of(first, node + 1) - force_of(first, node))
 }
 
-/// Returns the force of a node of the table whose first node has the leading bits `first`.
+/// Returns the force, N, of a node of the table whose first node has the leading bits `first`.
 fn force_of(first: u64, node: usize) -> f64 {
     f64::from_bits((first + node as u64) << BEHIND)
 }
 
-/// Returns the interval of the table that contains the force h, and its position there, 0..1; `None` beyond the table.
+/// Returns the interval of the table that contains the force `h`, N, and the position of h there as a fraction of the
+/// interval. `None` outside the table.
 #[inline(always)]
 fn interval_of(first: u64, h: f64) -> Option<(usize, f64)> {
     const ONE: u64 = 1.0_f64.to_bits();
     let bits = h.to_bits();
     let interval = (bits >> BEHIND).wrapping_sub(first) as usize;
-    // The bits below the node number are the position of h between two nodes.
+    // The bits below the node number are the position of the force h between two nodes.
     let s = f64::from_bits(ONE | (bits & ((1 << BEHIND) - 1)) << (52 - BEHIND)) - 1.0;
     (interval < PLACES).then_some((interval, s))
 }
 
-/// Evaluates the cubic between two nodes at the force h, which lies at the position s from 0 to 1 between them.
+/// Evaluates the cubic between two nodes at the force `h`, N, which lies at the position `s` from 0 to 1 between them.
 #[inline(always)]
 fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
     let octave = f64::from_bits(h.to_bits() & !((1 << 52) - 1));
@@ -85,7 +92,8 @@ fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
     At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
 }
 
-/// Computes the value that a table from the force `opens` on would give at h, without building the table.
+/// Computes the conductance that a table from the force `opens` on would give at the force `h`, both in N, without
+/// building the table.
 ///
 /// Used for an FV curve or a valve that changes from step to step with the setting of a family.
 pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) -> At {
@@ -108,7 +116,7 @@ impl Conductance {
     /// program file.
     pub const UNSET: Conductance = Conductance { first: 0, strokes: [[At { g: 0.0, by_h: 0.0 }; PLACES + 1]; 2] };
 
-    /// Fills the table from the force `opens` on; h is never below that force.
+    /// Fills the table from the force `opens`, N, on. The valve evaluates no smaller force.
     pub fn set(&mut self, curve: &impl ForceLaw, opens: f64) {
         let table = self;
         table.first = opens.to_bits() >> BEHIND;
@@ -149,8 +157,8 @@ impl Conduction for Conductance {
     }
 }
 
-/// Returns the velocity W for conductance `g` at the force h. Also returns the derivative of g with respect to a change
-/// of the FV force at W.
+/// Returns the velocity W, m/s, for the conductance `g` at the force `h`, N. Also returns the derivative of g with
+/// respect to a change of the FV force at W.
 #[inline(always)]
 pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
     let square = g * h - LEAST;

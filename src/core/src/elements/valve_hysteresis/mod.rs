@@ -13,13 +13,14 @@ use conductance::by_raised;
 pub(crate) use conductance::{Conductance, tabulated};
 use core::cell::Cell;
 
-/// Lagging blow-off valve, which changes the force F of the FV curve to F_h, in three forms.
+/// Lagging blow-off valve, which changes the force F, N, of the FV curve to F_h, in three forms.
 ///
 /// *Opening*: F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
-/// y is the valve's opening; S = ½ (1 + tanh) is its characteristic. The FV curve includes the steady opening y_∞. A
-/// valve whose opening lags behind y_∞ increases the force while opening, and reduces the force while closing. Even in
-/// slow motion, it opens at F_0 + Δ and closes at F_0 − Δ.
+/// y is the valve's opening, from 0 to 1, and τ its time constant. η is the fraction of the force that the lag can add.
+/// S = ½ (1 + tanh) is the characteristic, and b its width, N. The FV curve includes the steady opening y_∞. A valve
+/// whose opening lags behind y_∞ increases the force while opening, and reduces the force while closing. Even in slow
+/// motion, it opens at F_0 + Δ and closes at F_0 − Δ: F_0 is the mean of both forces, Δ half their difference.
 ///
 /// *Play* and *spool*: the valve has the position that it would have in the steady state under a force p, and acts as
 /// an orifice:
@@ -28,17 +29,18 @@ use core::cell::Cell;
 /// F_h g(h(p)) = F g(h(F)),   g(h) = W(h)²/h,   h(x) = F_0 + ½ (x − F_0 + √((x − F_0)² + b²))
 /// ```
 ///
-/// All forces are relative to that at standstill. W(h) is the velocity at which the FV curve has the force h, so g is
-/// the conductance of the whole passage. Below the opening force F_0 the valve is closed, and it opens over the width
-/// b. A closed valve still passes a hundredth of the flow. A force against the stroke does not open the valve. The
-/// force F_h moves the valve. With play, p follows F_h beyond the play P, with the time constant τ. The law is τ dp/dt
-/// = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨y⟩ is y²/(y + P_0) for positive y, otherwise 0. A spool has mass,
-/// so p oscillates: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
+/// All forces are relative to the force at standstill. W(h) is the velocity at which the FV curve has the force h, so g
+/// is the conductance of the whole passage. In these forms F_0 is the opening force: below it the valve is closed, and
+/// it opens over the width b. A closed valve still passes a hundredth of the flow. A force against the stroke does not
+/// open the valve. The force F_h moves the valve. With play, p follows F_h beyond the play P, with the time constant τ.
+/// The law is τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨x⟩ is x²/(x + P_0) for a positive x and 0
+/// otherwise, with P_0 = 10 N. A spool has mass, so p oscillates with the damping ratio ζ: τ² d²p/dt² + 2 ζ τ dp/dt + p
+/// = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
     play: f64,
-    /// ζ.
+    /// Damping ratio ζ of the spool.
     damping: f64,
     share: f64,
     middle: f64,
@@ -48,7 +50,7 @@ pub struct ValveHysteresis<T: Tables = Owned> {
     conductance: T::Conductance,
 }
 
-/// Cause of the valve's lag.
+/// Form of the valve, by the cause of its lag: time of opening, friction (play), or mass (spool).
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Form {
     Opening,
@@ -56,47 +58,50 @@ enum Form {
     Spool,
 }
 
-/// Force and state of the valve, as numbers that may carry derivatives.
+/// Force behind the valve and state of the valve, as numbers that may carry derivatives.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Late<R> {
-    /// F_h.
+    /// Force F_h behind the lagging valve, N.
     pub force: R,
-    /// The opening y, or in the other forms the force p.
+    /// Opening y in the opening form. In the play and spool forms, the force p, N, whose steady position the valve has.
     pub stands: R,
-    /// The velocities W(h(F)) and W(h(p)), at which the FV curve was evaluated; 0 in the opening form.
+    /// The two velocities, m/s, at which the FV curve was evaluated for the conductances at the forces F and p; 0 in
+    /// the opening form.
     pub read: [f64; 2],
 }
 
-/// Conductance of the passage with the valve in the steady position of a force x.
+/// Conductance of the passage with the valve in its steady position under a force x, N.
 #[derive(Clone, Copy)]
 struct Passage {
-    /// g(h(x)).
+    /// Conductance g, m²/(N s²).
     g: f64,
-    /// h.
+    /// Force h(x), N, with which the conductance is read: x with a smooth lower limit at the opening force.
     h: f64,
-    /// Derivative of g with respect to x.
+    /// Derivative of the conductance with respect to the force x.
     d_g_d_x: f64,
 }
 
-/// Largest number of iterations for the opening y, whose target depends on y itself.
+/// Largest number of fixed-point iterations for the opening y, whose target depends on y itself.
 const ITERATIONS: usize = 4;
-/// P_0, N: width over which ⟨y⟩ of the play begins smoothly.
+/// Force beyond the play, N, over which the motion of a valve with play begins smoothly.
 const SOFT: f64 = 10.0;
-/// Largest length of a substep, relative to τ, at which the stages of a valve with play build on each other. In a
-/// longer substep, each stage computes the state directly from the start of the substep.
+/// Largest length of a substep, relative to the valve's time constant, at which the stages of a valve with play build
+/// on each other. In a longer substep, each stage computes the state directly from the start of the substep.
 const LONG: f64 = 1.0;
-/// Fraction of the oil that passes a closed valve: a lagging valve increases the force at most a hundredfold.
+/// Fraction of the oil that passes a closed valve: a lagging valve multiplies the force by at most 101.
 const LEAKS: f64 = 0.01;
-/// Largest number of Newton steps or bisections for F_h.
+/// Largest number of Newton steps or bisections for the force F_h behind the valve.
 const STEPS: usize = 60;
-/// Newton step for F_h, relative to F_h, at or below which the iteration ends. The remaining error is about its square.
+/// Newton step for the force F_h behind the valve, relative to F_h, at or below which the iteration ends. The remaining
+/// relative error is about the square of this step.
 const CLOSE: f64 = 1e-7;
 /// Force, N, below which the lag of the valve is neglected.
 const NOTHING: f64 = 1e-9;
-/// Largest difference of p from F, relative to F, that counts as a rounding error: the valve is then in its steady
-/// position.
+/// Largest relative difference between the FV force and the force p of the valve's position that counts as a rounding
+/// error. The valve is then in its steady position.
 const STEADY: f64 = 1e-12;
-/// Contraction factors of the iteration for the opening, below which three iterations, and two iterations, suffice.
+/// Contraction factors of the iteration for the opening: below the first, three iterations suffice; below the second,
+/// two.
 const SHRINKS: [f64; 2] = [0.06, 2e-3];
 
 impl Describe for ValveHysteresis {
@@ -157,13 +162,13 @@ impl Prepare for ValveHysteresis {
     }
 
     fn check(_: &View<Self>) -> Result<(), Fault> {
-        // The bounds of the single parameters exclude every error.
+        // The bounds of the single parameters exclude every error of the preparation.
         Ok(())
     }
 }
 
 impl<T: Tables> ValveHysteresis<T> {
-    /// Makes the valve from the parameters, with the given conductance of its passage.
+    /// Makes the valve from the parameters `p`, with the given conductance of its passage.
     pub(crate) fn of(p: &View<ValveHysteresis>, conductance: T::Conductance) -> Self {
         let form = match p.number(own!("valve_form")) {
             1.0 => Form::Play,
@@ -205,20 +210,20 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// Returns the conductance of the passage.
+    /// Returns the conductance of the valve's passage: a table, or its replacement in a family.
     pub(crate) fn conductance(&self) -> &T::Conductance {
         &self.conductance
     }
 }
 
-/// Computes the characteristic S.
+/// Computes the characteristic of the valve, S(x) = ½ (1 + tanh x).
 #[inline(always)]
 fn opening<R: Real>(x: R) -> R {
     (x.tanh().plus(1.0)) * 0.5
 }
 
 impl ValveHysteresis {
-    /// Computes the conductance of the valve's passage from the FV curve.
+    /// Fills the table of the passage's conductance from the FV curve, unless the valve has the opening form.
     pub(crate) fn join(&mut self, curve: &FvCurve) {
         if self.form != Form::Opening {
             self.conductance.set(curve, self.middle);
@@ -227,37 +232,39 @@ impl ValveHysteresis {
 }
 
 impl<T: Tables> ValveHysteresis<T> {
-    /// Returns whether the state is a force p instead of an opening.
+    /// Returns whether the state is a force p, N, as in the play and spool forms, instead of an opening.
     pub(crate) fn holds_force(&self) -> bool {
         self.form != Form::Opening
     }
 
-    /// Returns whether the valve has mass and thus a second state: τ dp/dt, N.
+    /// Returns whether the valve has mass and thus a second state: its time constant times the rate of its first state,
+    /// N.
     #[inline(always)]
     pub(crate) fn is_spool(&self) -> bool {
         self.form == Form::Spool
     }
 
-    /// Returns the range of the state. An opening ranges from 0, closed, to 1, open.
+    /// Returns the range of the state. An opening ranges from 0, closed, to 1, open. The force of the other forms has
+    /// no limits.
     #[inline(always)]
     pub(crate) fn range(&self) -> (f64, f64) {
         if self.form == Form::Opening { (0.0, 1.0) } else { (f64::NEG_INFINITY, f64::INFINITY) }
     }
 
-    /// Returns the value toward which the opening relaxes, in the opening form.
+    /// Returns the value toward which the opening `y` relaxes under the FV force `force`, N, in the opening form.
     #[inline(always)]
     fn target<R: Real>(&self, force: R, y: R) -> R {
         let pressed = force.abs() + y * (2.0 * self.half_width);
         opening(pressed.plus(-self.middle - self.half_width) * self.per_width)
     }
 
-    /// Computes the opening y after an implicit stage of the opening form: y − g dy/dt equals `known`. y and `known`
-    /// lie between 0 and 1.
+    /// Computes the opening y after an implicit stage of the opening form: y − g dy/dt equals `known`. `force` is the
+    /// FV force, N, and `g` the weight of dy/dt in the stage, s. y and `known` lie between 0 and 1.
     #[inline(always)]
     fn opened<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
         let divide = 1.0 / (1.0 + per);
-        // The derivative of the characteristic is at most ½.
+        // This is the contraction factor of the iteration: the derivative of the characteristic S is at most ½.
         let shrinks = self.half_width * self.per_width * per * divide;
         let spared = SHRINKS.iter().filter(|enough| shrinks < **enough).count();
         let rounds = if shrinks > 0.0 { ITERATIONS - spared } else { 1 };
@@ -268,16 +275,17 @@ impl<T: Tables> ValveHysteresis<T> {
         y
     }
 
-    /// Computes F_h at the opening `y`, in the opening form.
+    /// Computes the force F_h behind the valve, N, from the FV force `force` at the opening `y`, in the opening form.
     #[inline(always)]
     fn at_opening<R: Real>(&self, force: R, y: R) -> R {
         let steady = opening(force.abs().plus(-self.middle) * self.per_width);
         force * ((steady - y) * self.share).plus(1.0)
     }
 
-    /// Computes ⟨y⟩ sgn(F − p) at the end of a stage that starts at p, in the play form.
+    /// Computes τ dp/dt, N, at the end of an implicit stage of the play form: ⟨y⟩ sgn(F − p).
     ///
-    /// Here y = |F − p| − P |F|/(|F| + P), and ⟨y⟩ = y²/(y + P_0) begins smoothly. F is F_h, and `per` is g/τ.
+    /// Here y = |F − p| − P |F|/(|F| + P) is the force beyond the play P, and ⟨y⟩ = y²/(y + P_0) begins smoothly. F is
+    /// the force behind the valve, `p` the known part of the state, and `per` the weight g of the stage over τ.
     #[inline(always)]
     fn beyond<R: Real>(&self, force: R, p: R, per: f64) -> R {
         let behind = force - p;
@@ -287,7 +295,7 @@ impl<T: Tables> ValveHysteresis<T> {
         if y.value() <= 0.0 {
             return R::constant(0.0);
         }
-        // x = y − (g/τ) ⟨x⟩ is the remaining y at the end of the stage.
+        // The remaining y at the end of the stage is the solution x of x = y − (g/τ) ⟨x⟩.
         let half = y.plus(-SOFT) * 0.5;
         let root = (half * half + y * ((1.0 + per) * SOFT)).sqrt();
         let left = (half + root) * (1.0 / (1.0 + per));
@@ -297,13 +305,14 @@ impl<T: Tables> ValveHysteresis<T> {
 
     /// Returns whether each stage of a substep of length `h` computes the valve directly from the start of the substep.
     ///
-    /// Otherwise the play would preserve the oscillation between the stages of a long step.
+    /// If the stages of a long substep built on each other, the play would preserve an oscillation from stage to stage.
     #[inline(always)]
     pub(crate) fn jumps(&self, h: f64) -> bool {
         self.form == Form::Play && h * self.per_time > LONG
     }
 
-    /// Computes the part of p after a stage that does not depend on the force, from the known parts of p and τ dp/dt.
+    /// Computes the part of the equation for p after an implicit stage that does not depend on the force, N. `stands`
+    /// and `rate` are the known parts of p and of τ dp/dt, and `g` is the weight of the stage, s.
     #[inline(always)]
     pub(crate) fn known(&self, stands: f64, rate: f64, g: f64) -> f64 {
         if !self.is_spool() {
@@ -313,7 +322,8 @@ impl<T: Tables> ValveHysteresis<T> {
         stands * (1.0 + 2.0 * self.damping * per) + per * rate
     }
 
-    /// Computes p at the end of an implicit stage whose final force is `force`.
+    /// Computes the valve's state p, N, after an implicit stage of weight `g`, s; `force` is the final force behind the
+    /// valve, N.
     #[inline(always)]
     fn follows<R: Real>(&self, force: R, known: R, g: f64) -> R {
         let per = g * self.per_time;
@@ -324,8 +334,8 @@ impl<T: Tables> ValveHysteresis<T> {
         known + self.beyond(force, known, per) * per
     }
 
-    /// Computes the passage with the valve in the steady position of the force x along the stroke. `stroke` is the sign
-    /// of the stroke.
+    /// Computes the passage with the valve in its steady position under the force `x`, N, along the stroke. `stroke` is
+    /// 1 for rebound and −1 for compression.
     #[inline(always)]
     fn conducts(&self, curve: &impl ForceLaw, x: f64, stroke: f64) -> Passage {
         let beyond = x - self.middle;
@@ -336,14 +346,15 @@ impl<T: Tables> ValveHysteresis<T> {
         Passage { g: at.g, h, d_g_d_x: 0.5 * (1.0 + beyond / root) * at.by_h }
     }
 
-    /// Computes the factor by which a valve at p increases F, and its derivative with respect to `ratio`.
+    /// Computes the factor by which the valve increases the FV force `force`, and the derivative of the factor with
+    /// respect to `ratio`. The valve has its steady position under the force `p`.
     ///
-    /// `ratio` is the conductance of the passage at F divided by that at p. `widens` is the derivative of the
-    /// conductance at p with respect to the force along the stroke.
+    /// `ratio` is the conductance of the passage in the steady position under `force`, divided by that under `p`.
+    /// `widens` is the derivative of the conductance at `p` with respect to the force along the stroke.
     #[inline(always)]
     fn raises(&self, force: f64, p: f64, ratio: f64, widens: f64) -> (f64, f64) {
         let ahead = (force - p) * force;
-        // Without the case of equal forces, a rounding error would decide whether the valve opens.
+        // For equal forces, the sign of the difference is a rounding error, so the slope of the conductance decides.
         let opens = if ahead.abs() <= STEADY * force * force { widens > 0.0 } else { (ratio > 1.0) == (ahead > 0.0) };
         // Where the FV curve rises faster than the square of the velocity, no valve opens.
         if !opens {
@@ -353,8 +364,9 @@ impl<T: Tables> ValveHysteresis<T> {
         (ratio * (1.0 + LEAKS) * divide, (1.0 + LEAKS) * divide * divide)
     }
 
-    /// Computes F_h and the state of the valve after an implicit stage. `raised` is F_h/F of the previous solution,
-    /// which is also the initial guess.
+    /// Computes the force F_h behind the valve and its state after an implicit stage. `force` is the FV force F, N,
+    /// `known` the known part of the state, and `g` the weight of the stage, s. `raised` is F_h/F of the previous
+    /// solution, which is also the initial guess.
     #[inline(always)]
     pub(crate) fn stage(
         &self,
@@ -374,8 +386,8 @@ impl<T: Tables> ValveHysteresis<T> {
         late
     }
 
-    /// Computes the stage of a valve whose state is a force. A separate function, so that the more common case has no
-    /// extra cost.
+    /// Computes the implicit stage of the play and spool forms, and the ratio F_h/F. It is a separate function, so that
+    /// the opening form has no extra cost.
     #[cold]
     #[inline(never)]
     fn stage_by_force(
@@ -392,8 +404,8 @@ impl<T: Tables> ValveHysteresis<T> {
         }
         let stroke = if force < 0.0 { -1.0 } else { 1.0 };
         let steady = self.conducts(curve, force * stroke, stroke);
-        // The valve increases F to F_h, and F_h moves the valve. A larger opening gives a smaller force, so there is
-        // one solution. Newton steps use the logarithm of |F_h|.
+        // The valve increases the FV force F to F_h, and F_h moves the valve. A larger opening gives a smaller force,
+        // so there is one solution. Newton steps use the logarithm of |F_h|.
         let mut found = force * raised;
         let (mut low, mut high) = (0.0, f64::INFINITY);
         let mut left = STEPS;
@@ -403,7 +415,7 @@ impl<T: Tables> ValveHysteresis<T> {
             let ratio = steady.g / now.g;
             let (by, derivative) = self.raises(force, p.value, ratio, now.d_g_d_x);
             let late = force * by;
-            // Derivatives of F_h with respect to the conductance of the passage at F, and at p.
+            // Derivatives of F_h with respect to the conductances of the passage at the forces F and p.
             let (by_steady, by_now) = (force * derivative / now.g, -force * derivative * ratio / now.g);
             let by_p = by_now * now.d_g_d_x * stroke;
             let steep = 1.0 - found * by_p * p.derivative(0) / late;
@@ -416,13 +428,14 @@ impl<T: Tables> ValveHysteresis<T> {
                 let held = step.clamp(-1.0, 1.0);
                 let mut next = size * (2.0 + held) / (2.0 - held);
                 if next <= low || next >= high {
-                    // Near the end of the play, the derivative may belong to the other side of that end.
+                    // Near the end of the play, the derivative may be that beyond this end. Bisection then replaces the
+                    // Newton step.
                     next = 0.5 * (low + high);
                 }
                 found = next * stroke;
                 continue;
             }
-            // The last step is small, so a linear correction suffices.
+            // The last Newton step is small, so a linear correction by it suffices.
             let on = found * step;
             let per = 1.0 / (1.0 - by_p * p.derivative(0));
             let [(first, steady_by), (second, now_by)] = [steady, now].map(|at| by_raised(curve, at.g, at.h, stroke));
@@ -445,7 +458,8 @@ impl<T: Tables> ValveHysteresis<T> {
         }
     }
 
-    /// Computes F_h and the state derivatives at given states. The states are `stands` and, for a spool, τ dp/dt.
+    /// Computes the force F_h behind the valve, N, and the state derivatives at given states and the FV force `force`,
+    /// N. The states are `stands` (the opening or the force p) and, for a spool, `rate` = τ dp/dt.
     #[inline(always)]
     pub(crate) fn now<R: Real>(&self, curve: &impl ForceLaw, force: R, [stands, rate]: [R; 2]) -> (R, [R; 2]) {
         let none = R::constant(0.0);
@@ -467,8 +481,8 @@ impl<T: Tables> ValveHysteresis<T> {
         (late, [self.beyond(late, stands, 0.0) * self.per_time, none])
     }
 
-    /// Returns the state toward which the valve moves under a constant force: the target of the opening at `stands`, or
-    /// p = F.
+    /// Returns the state toward which the valve moves under the constant FV force `force`, N. It is the target of the
+    /// opening at `stands`, or p = `force` in the other forms.
     #[inline(always)]
     pub(crate) fn rests(&self, force: f64, stands: f64) -> f64 {
         if self.form == Form::Opening { self.target(force, stands) } else { force }

@@ -1,10 +1,10 @@
-//! Elements with a state that act on the mass in a stage: friction and gas, if the series path also carries their
-//! force.
+//! Elements with a state that act on the internal mass in a stage: friction and gas, if the series path also carries
+//! their force.
 //!
 //! In a stage the mass moves from its position at the start of the substep to that of the stage. Its acceleration is
 //! constant over the time of the stage. Each element computes its state after such a motion in closed form. Therefore
-//! the method of the step does not integrate a contact, whose force may reverse within micrometers. The force rises
-//! with the displacement of the mass, so the stage has a unique solution.
+//! the method of the step does not integrate a contact, whose force may reverse within micrometers. The forces of these
+//! elements do not decrease with the displacement of the mass, so the stage has a unique solution.
 
 use crate::assembly::Elements;
 use crate::dual::{Dual, Real};
@@ -16,10 +16,10 @@ use crate::tables::Tables;
 /// Largest number of elements with a state that act on the mass: presliding friction and the gas spring.
 pub(super) const MOST: usize = 2;
 
-/// States of the elements with a state that act on the mass, in their order.
+/// States of the elements with a state that act on the mass, in the order of the element list.
 pub(super) type States = [f64; MOST];
 
-/// Final state and force of each element with a state that acts on the mass.
+/// Final state and force, N, of each element with a state that acts on the mass.
 type Ends = [[Dual<2>; 2]; MOST];
 
 const NO_ENDS: Ends = [[Dual { value: 0.0, derivatives: [0.0; 2] }; 2]; MOST];
@@ -38,7 +38,7 @@ pub(super) struct MassForces {
 /// Values at the start of a substep, for the elements with a state that act on the mass.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct MassStart {
-    /// Displacement and velocity of the mass at the start of the substep.
+    /// Displacement, m, and velocity, m/s, of the mass at the start of the substep.
     pub mass: [f64; 2],
     /// States of the elements at the start of the substep.
     pub states: States,
@@ -47,8 +47,8 @@ pub(super) struct MassStart {
 }
 
 impl MassStart {
-    /// Propagates the elements' states over a motion of the mass to `end`. `lifted` turns each state into a dual
-    /// number.
+    /// Propagates the elements' states over a motion of the mass from displacement `x0` and velocity `u0` to
+    /// displacement `end`. `lifted` turns each state into a dual number.
     #[inline(never)]
     fn propagate(
         &self,
@@ -72,7 +72,7 @@ impl MassForces {
     /// Zero forces and states, for a model in which no element with a state acts on the mass.
     pub(super) const NONE: MassForces = MassForces { ends: NO_ENDS, by_start: NO_ENDS };
 
-    /// Propagates the elements over a motion of the mass to `end`.
+    /// Computes states and forces of the elements after a motion of the mass to the displacement `end`, m.
     #[inline(always)]
     pub(super) fn stage(elements: &Elements<impl Tables>, from: &MassStart, end: f64) -> MassForces {
         let [x0, u0] = from.mass.map(Dual::constant);
@@ -80,7 +80,8 @@ impl MassForces {
         MassForces { ends, by_start: NO_ENDS }
     }
 
-    /// Computes the derivatives with respect to displacement and velocity of the mass at the start of the substep.
+    /// Computes the derivatives of end states and forces with respect to displacement and velocity of the mass at the
+    /// start of the substep.
     #[inline(always)]
     pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &MassStart, end: f64) {
         let [x0, u0] = from.mass;
@@ -88,7 +89,7 @@ impl MassForces {
             from.propagate(elements, [Dual::along(x0, 0), Dual::along(u0, 1), Dual::constant(end)], Dual::constant);
     }
 
-    /// Returns the force on the mass and its derivative with respect to the displacement of the mass.
+    /// Returns the sum of the forces, N, and its derivative with respect to the displacement of the mass, N/m.
     #[inline(always)]
     pub(super) fn force(&self) -> [f64; 2] {
         let mut sum = [0.0; 2];
@@ -99,13 +100,13 @@ impl MassForces {
         sum
     }
 
-    /// Returns the states after the stage.
+    /// Returns the states of the elements after the stage.
     #[inline(always)]
     pub(super) fn states(&self) -> States {
         self.ends.map(|[state, _]| state.value)
     }
 
-    /// Extrapolates the states linearly by a displacement of the mass.
+    /// Extrapolates the states linearly by a further displacement `way` of the mass, m.
     #[inline(always)]
     pub(super) fn go(&mut self, way: f64) {
         for [state, _] in &mut self.ends {
@@ -113,15 +114,16 @@ impl MassForces {
         }
     }
 
-    /// Returns the derivative of the force in a direction of initial displacement, velocity and states. The final
-    /// displacement of the mass is fixed.
+    /// Returns the derivative of the force in one direction, in which initial displacement and velocity (`start`) and
+    /// the initial `states` have these derivatives. The final displacement of the mass is fixed.
     #[inline(always)]
     pub(super) fn force_by_start(&self, start: [f64; 2], states: &States) -> f64 {
         self.along(1, start, states).into_iter().sum()
     }
 
-    /// Returns the derivatives of the final states in a direction of initial displacement, velocity and states. The
-    /// final displacement of the mass has the derivative `end`.
+    /// Returns the derivatives of the final states in one direction, in which initial displacement and velocity
+    /// (`start`) and the initial `states` have these derivatives. The final displacement of the mass has the derivative
+    /// `end`.
     #[inline(always)]
     pub(super) fn states_along(&self, end: f64, start: [f64; 2], states: &States) -> States {
         let mut along = self.along(0, start, states);
@@ -169,7 +171,8 @@ pub(super) fn write(elements: &Elements<impl Tables>, states: &States, internal:
     });
 }
 
-/// Visitor of the elements on the mass, numbered in their order, with the indices of their states.
+/// Visitor that calls `act` for each element with a state that acts on the mass. The arguments are its number, the
+/// element, and the index of its state.
 struct MassVisitor<F> {
     next: usize,
     act: F,

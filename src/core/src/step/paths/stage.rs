@@ -1,4 +1,4 @@
-//! One stage of the step through the paths: its equation, its solution, and the derivatives of the solution.
+//! One stage of the step through the force paths: its equation, its solution, and the derivatives of the solution.
 
 use super::on_mass::{MassForces, MassStart};
 use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
@@ -20,8 +20,8 @@ use crate::paths::{Paths, STATES, place};
 use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
 
-/// Largest last Newton step of a stage, relative to the oil velocity. The remaining error is about the square of this
-/// ratio.
+/// Largest last Newton step in the solution of a stage, relative to the oil velocity. The remaining relative error is
+/// about the square of this ratio.
 const TOLERANCE: f64 = 1e-5;
 
 /// A solved stage, with the values that are necessary for derivatives of the step. `ON` is the set of elements that act
@@ -33,58 +33,59 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     pub index: usize,
     /// Whether the stage ends the substep.
     pub last: bool,
-    /// Weights of the gains, g × rate, of the previous stages.
+    /// Weights of the gains (g × rate of the states) of the previous stages, with the weight g of the stage.
     pub row: &'a [f64],
-    /// Motion of the moving end.
+    /// Motion of the moving end at the stage.
     pub path: PathPoint,
-    /// Displacement of the moving end before the stage.
+    /// Displacement of the moving end before the stage, m, with its derivatives.
     pub(super) moved_from: MovedFrom,
-    /// Velocity at which the FV curve was evaluated.
+    /// Oil velocity at which the FV curve was evaluated, m/s.
     pub oil_velocity: f64,
-    /// Displacement of the mass after the stage.
+    /// Displacement of the internal mass after the stage, m.
     pub x_m: f64,
-    /// Velocity of the mass after the stage.
+    /// Velocity of the internal mass after the stage, m/s.
     pub u: f64,
     g: f64,
-    /// Step factor of the valve's state: see `Known::since`.
+    /// Weight, s, of the rate of the valve's state: see `Known::since`.
     since: f64,
     pub(super) valve_jumps: bool,
-    /// Factor by which the valve increased the force.
+    /// Factor by which a lagging valve increased the force.
     pub(super) raised: f64,
     known: [f64; STATES],
     from_start: MassStart,
     has_states_on_mass: bool,
-    /// Bit set of the states that were clamped to their ranges.
+    /// Bit set of the states whose known parts were clamped to their ranges.
     pub(super) kept: u32,
     /// Whether the void counts as closed after the stage, even if rounding leaves a nonzero depth.
     pub(super) shuts: bool,
-    /// Derivative of the FV curve at the oil velocity.
+    /// Derivative of the FV curve at the oil velocity, N s/m.
     derivative: f64,
     at: Look,
-    /// 1/(dR/dw).
+    /// One over the total derivative of the stage equation's residual with respect to the oil velocity.
     per: f64,
 }
 
-/// Derivatives of the inputs of a stage in one direction.
+/// Derivatives of the inputs of a stage with respect to one variable (a direction).
 #[derive(Clone, Copy, Debug)]
 pub struct Seed {
-    /// Known parts of the states.
+    /// Derivatives of the known parts of the states.
     pub known: [f64; STATES],
-    /// Displacement of the moving end.
+    /// Derivative of the displacement of the moving end.
     pub x: f64,
-    /// Velocity of the moving end.
+    /// Derivative of the velocity of the moving end.
     pub v: f64,
-    /// Displacement of the moving end before the stage.
+    /// Derivative of the displacement of the moving end before the stage.
     pub from: f64,
-    /// Force of the FV curve at the evaluated velocity.
+    /// Derivative of the FV curve's force at the evaluated velocity.
     pub curve: f64,
-    /// Force of the FV curve at standstill.
+    /// Derivative of the FV curve's force at standstill.
     pub standing: f64,
-    /// Force of the FV curve relative to that at standstill, at the velocities of [`StageDerivatives::valve_read`].
+    /// Derivatives of the FV curve's force, relative to that at standstill, at the velocities of
+    /// [`StageDerivatives::valve_read`].
     pub read: [f64; 2],
-    /// Force of the series path at constant motion and states: see [`StageDerivatives::series_by_frame`].
+    /// Derivative of the series force at constant motion and states: see [`StageDerivatives::series_by_frame`].
     pub series: f64,
-    /// Restoring force of springs and inertia on the mass, at constant motion and states.
+    /// Derivative of the restoring force of springs and inertia on the mass, at constant motion and states.
     pub drag: f64,
 }
 
@@ -103,16 +104,16 @@ impl Seed {
     };
 }
 
-/// The derivatives of a stage in one direction.
+/// The derivatives of a stage's results with respect to one variable (a direction).
 #[derive(Clone, Copy, Debug)]
 pub struct Derivative {
     /// Derivatives of the states after the stage.
     pub states: [f64; STATES],
-    /// Derivative of the force between moving end and ground through both paths.
+    /// Derivative of the force between moving end and ground through both force paths.
     pub force: f64,
 }
 
-/// Quantities computed from an oil velocity, with their derivatives.
+/// Quantities of a stage computed from an oil velocity w, with their derivatives.
 #[derive(Clone, Copy, Debug)]
 struct Look {
     residual: Residual,
@@ -120,28 +121,30 @@ struct Look {
     column: Column,
     /// Flow through the bypass of the valves.
     past: Past,
-    /// The void e. The derivatives of e, and of the oil's part of e − E, are with respect to F_h, the moving end's
-    /// velocity, and E.
+    /// Depth e of the void, m. Below are the derivatives of e, and those of the part of its change that the oil causes.
+    /// The variables are the hydraulic force, the moving end's velocity, and the known part of e.
     void: f64,
     void_by: [f64; 3],
     oil_void_by: [f64; 3],
-    /// ∂u/∂F_h.
+    /// Derivative of the piston velocity u with respect to the hydraulic force at constant oil velocity.
     u_by_force: f64,
     x: f64,
     u: f64,
-    /// Relaxing deflections of the bushing.
+    /// Relaxing deflections z and y of the bushing.
     relaxed: Relaxed,
-    /// Derivative of (k_1 z + k_2 y)/k_s with respect to the rate of the deflection.
+    /// Derivative of the bushing's relaxing deflection, (k_1 z + k_2 y)/k_s, with respect to the rate of the series
+    /// deflection.
     relaxing_by_rate: f64,
     law: series::Derivatived,
     inner: Response,
     on_mass: MassForces,
-    /// d(restoring force on the mass)/du.
+    /// Derivative of the restoring force on the mass (springs, series path, inertia) with respect to its velocity, N
+    /// s/m.
     resists: f64,
 }
 
 impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
-    /// Solves the stage from a guess of the oil velocity.
+    /// Solves the stage from a guess of the oil velocity, m/s.
     #[inline(always)]
     pub(super) fn solve(
         elements: &'a Elements<T>,
@@ -170,7 +173,8 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             factors,
         };
         let least = if acts::<ON>(e, SERIES) { [0.1 * e.series_compliance.mass * per_g, 1e-3] } else { [0.5, 1e-12] };
-        // Tolerance at which the last step moves the mass by at most a nanometer. It matters in long stages.
+        // Relative tolerance at which the last Newton step moves the mass by at most a nanometer. In long stages, it is
+        // smaller than [`TOLERANCE`].
         let short = 1e-9 / (g * (1e-3 + guess.abs()));
         let tolerance = min(short, TOLERANCE);
         // If no element lies between the moving end and the valves, the oil has the velocity of the moving end.
@@ -208,10 +212,10 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
 
     /// Evaluates the equation again at the solution, for the derivatives.
     ///
-    /// The derivatives of the last evaluation belong to a point one Newton step away. Strongly nonlinear forces are
-    /// those of a bushing, a void with expanding gas, and elements with a state on the mass. With such a force, the
-    /// weights of the method amplify the error of the derivatives. It then reaches a hundredth of the derivative of the
-    /// step. No other element is so nonlinear within a Newton step. States and forces do not change.
+    /// The derivatives of the last evaluation belong to a point one Newton step away from the solution. Strongly
+    /// nonlinear forces are those of a bushing, a void with expanding gas, and elements with a state on the mass. With
+    /// such a force, the weights of the method amplify the error of the derivatives. It then reaches a hundredth of the
+    /// derivative of the step. No other element is so nonlinear within a Newton step. States and forces do not change.
     #[inline(always)]
     pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
@@ -290,7 +294,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         Balance { states, force, primary, inner: at.inner.force, on_mass: self.on_mass().map(MassForces::states) }
     }
 
-    /// Computes the derivatives of the stage in one direction.
+    /// Computes the derivatives of the stage's results in one direction; `seed` contains those of its inputs.
     #[inline(always)]
     pub fn along(&self, seed: &Seed) -> Derivative {
         let (e, at, g) = (self.paths, &self.at, self.g);
@@ -307,7 +311,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             read: seed.read,
             selective: known[place::SELECTIVE],
         };
-        // Compute the derivatives first at constant w, then add the effect of the derivative of w.
+        // Compute the derivatives first at constant oil velocity w, then add the effect of the derivative of w.
         let [held, ..] = at.valves.along::<ON>(e, &moves, leaks);
         let mut u_held = at.u_by_force * held;
         let [void_by_force, void_by_v, void_by_void] = at.void_by;
@@ -419,9 +423,9 @@ impl<T: Tables, const ON: u32> StageDerivatives for PathsStage<'_, T, ON> {
 struct Given<'a, T: Tables> {
     elements: &'a Elements<T>,
     path: PathPoint,
-    /// Displacement of the moving end before the stage.
+    /// Displacement of the moving end before the stage, m.
     from: f64,
-    /// Side force and temperature.
+    /// Side force, N, and temperature, °C, from the host.
     side: (f64, f64),
     states: [f64; STATES],
     on_mass: &'a MassStart,
@@ -433,7 +437,7 @@ struct Given<'a, T: Tables> {
     factors: Factors,
 }
 
-/// The equation of a stage.
+/// The scalar equation of a stage for the oil velocity.
 struct Stage<'a, T: Tables, const ON: u32>(&'a Paths<T>, &'a Given<'a, T>);
 
 impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
@@ -445,7 +449,8 @@ impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
     }
 }
 
-/// Evaluates the force on the mass parallel to the oil. The force is linear beyond the reach of the series spring.
+/// Evaluates the force on the mass parallel to the oil, at displacement `x`, m, and velocity `u`, m/s. The force is
+/// linear beyond the reach of the series spring about the moving end at `driven`, m.
 ///
 /// The plain step has the same limit. Without the limit, Newton's method from a distant guess would converge slowly
 /// with a hardening spring.
@@ -478,7 +483,7 @@ impl Look {
         resists: 0.0,
     };
 
-    /// Extrapolates all quantities linearly by a step of w.
+    /// Extrapolates all quantities linearly by a step of the oil velocity, m/s; `derivative` is that of the FV curve.
     #[inline(always)]
     fn go<const ON: u32>(&mut self, e: &Paths<impl Tables>, g: f64, step: f64, derivative: f64) {
         let moves = Moves { curve: derivative * step, w: step, ..Moves::NONE };

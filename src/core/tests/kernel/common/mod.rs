@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 
 pub const METHODS: [Method; 5] = [Method::Euler, Method::Second, Method::Fourth, Method::Third, Method::ThreeStage];
 
-/// The elements with internal states.
+/// The elements that have internal states, in all or some of their forms.
 pub const WITH_STATES: [&str; 11] = [
     "lagged_polynomial",
     "presliding_friction",
@@ -37,7 +37,7 @@ pub const HYDRAULICS: [&str; 7] = [
     "valve_hysteresis",
 ];
 
-/// Returns named parameter sets with every element of the force path, alone and together.
+/// Returns named parameter sets with every element of the series and the hydraulic path, alone and together.
 pub fn paths() -> Vec<(&'static str, Params)> {
     let of = |on: &[&str], changes: &[(&str, f64)]| {
         let mut p = params(changes);
@@ -185,13 +185,14 @@ pub fn params(changes: &[(&str, f64)]) -> Params {
     params
 }
 
-/// Makes a sine that starts at rest at its lower end.
+/// Makes a sine motion that starts at rest at its lower end. It returns displacement, m, and velocity, m/s, at a time,
+/// s; the frequency is in Hz.
 pub fn sine(amplitude: f64, frequency: f64) -> impl Fn(f64) -> (f64, f64) {
     let w = TAU * frequency;
     move |t| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin())
 }
 
-/// Computes the forces of the kernel's step at each multiple of `dt`.
+/// Computes the forces, N, of steps of length `dt`, s, at the end of each step.
 pub fn step_forces(
     model: &Model,
     motion: &impl Fn(f64) -> (f64, f64),
@@ -212,10 +213,10 @@ pub fn step_forces(
         .collect()
 }
 
-/// Computes reference forces by the classical explicit Runge–Kutta method on the continuous equations, with `parts`
-/// steps in each `dt`.
+/// Computes reference forces, N, by the classical explicit Runge–Kutta method on the continuous equations, with `parts`
+/// steps in each `dt`, s.
 ///
-/// The reference shares only the right-hand side with the kernel's step, and uses the exact motion.
+/// The reference shares only the right-hand side of the equations with [`step`], and uses the exact motion.
 pub fn reference_forces(
     model: &Model,
     motion: &impl Fn(f64) -> (f64, f64),
@@ -256,7 +257,8 @@ pub fn reference_forces(
         .collect()
 }
 
-/// Returns the root mean square and the largest difference, relative to the largest reference force.
+/// Returns the root mean square and the largest of the differences between `forces` and `exact`, relative to the
+/// largest exact force.
 pub fn errors(forces: &[f64], exact: &[f64]) -> (f64, f64) {
     let top = exact.iter().fold(0.0f64, |m, f| m.max(f.abs()));
     let square: f64 = forces.iter().zip(exact).map(|(f, e)| (f - e) * (f - e)).sum();
@@ -283,11 +285,11 @@ pub fn with(elements: &[&str], changes: &[(&str, f64)]) -> Model {
     Model::new(&p).unwrap()
 }
 
-/// Draws a random parameter set that the table and the elements allow.
+/// Draws a random parameter set that the parameter table and the elements allow.
 ///
-/// The logarithm of each number is uniform between the bounds. If the lower bound is not positive, it is replaced by a
-/// billionth of the upper bound. One number in twenty is its lower bound. The elements that are on and the integration
-/// are also random.
+/// The logarithm of each number is uniform between the bounds of a car damper. If the lower bound is not positive, it
+/// is replaced by a billionth of the upper bound. One number in twenty is its lower bound. The curves, the choices, the
+/// elements that are on and the integration are also random.
 pub fn any_params() -> impl Strategy<Value = Params> {
     let shares = prop::collection::vec(0.0..1.0f64, table().count());
     let points = prop::collection::vec((1e-4..1.0f64, 0.0..1.0f64), 2..20);
@@ -307,7 +309,8 @@ pub fn any_params() -> impl Strategy<Value = Params> {
                         params.set(Number::find(p.name).unwrap(), (share * 8.0).floor()).ok()?
                     }
                     Shape::Scalar => {
-                        // The test `sizes` shows that dampers of other sizes are equivalent by proportion.
+                        // Only values within the bounds of a car damper are drawn. The test `sizes` shows that dampers
+                        // of other sizes behave in proportion.
                         let (least, most) = p.of_a_car;
                         let low = if least > 0.0 { least } else { 1e-9 * most };
                         let by_decade = low * (most / low).powf(*share);

@@ -26,7 +26,7 @@ def sgn(a):
 
 
 def root_of(rises, guess):
-    """Finds the zero of a non-decreasing function by bisection to the last digit."""
+    """Finds the zero of the non-decreasing function `rises` near a guess, by bisection to the last digit."""
     width = 1e-3
     low, high = guess - width, guess + width
     while rises(low) > 0:
@@ -47,7 +47,7 @@ def root_of(rises, guess):
 
 
 def one_sided(h, delta):
-    """Returns the derivative at zero of one side of a curve. h and delta are widths and chords of its pieces, outward from zero."""
+    """Returns the derivative at zero of one side of a curve. h and delta are the widths and mean slopes of its pieces, outward from zero."""
     if len(h) == 1:
         return delta[0]
     return max(0.0, delta[0] + (delta[0] - delta[1]) * h[0] / (h[0] + h[1]))
@@ -102,7 +102,7 @@ class Curve:
 
 
 def through_gap(k, g, softness, d):
-    """Solves d = F/k + g F/(|F| + softness) for the force F."""
+    """Solves d = F/k + g F/(|F| + softness) for the force F, N, with stiffness k, N/m, half gap g, m, and deflection d, m."""
     h = 0.5 * (softness + k * g - k * abs(d))
     product = k * abs(d) * softness
     root = math.sqrt(h * h + product)
@@ -212,7 +212,7 @@ class Damper:
     # The series path.
 
     def elastic(self, d):
-        """Returns φ and χ of the page."""
+        """Returns the elastic force φ of the series path, N, and the closed fraction χ of the free play, at the deflection d, m."""
         p = self.p
         k_s = p["series_stiffness"]
         if "free_play" not in self.on:
@@ -222,7 +222,7 @@ class Damper:
         return f_1 + beyond, 1 / (1 + k_s * g * f_0 / (abs(beyond) + f_0) ** 2)
 
     def hardened(self, phi):
-        """Returns H(φ), the hardened force of a bushing."""
+        """Returns the hardened force H(φ) of a bushing, N, from the force φ of the linear series spring, N."""
         p = self.p
         if "bushing" not in self.on:
             return phi
@@ -277,7 +277,7 @@ class Damper:
         return a_1 * (1 + (f - 1) / (1 + abs(a_1) / laminar))
 
     def opening(self, a_2, y):
-        """Returns the target of the opening y, and the steady opening that the FV curve includes."""
+        """Returns two values for the force a_2 before a valve: the target of its opening y, and the steady opening that the FV curve includes."""
         p = self.p
         middle = 0.5 * p["valve_opening_force"] * (1 + p["valve_closing_ratio"])
         delta = 0.5 * p["valve_opening_force"] * (1 - p["valve_closing_ratio"])
@@ -294,7 +294,7 @@ class Damper:
         return self.conductance[stroke](h)
 
     def late(self, a_2, stands):
-        """Returns A_3 of the page: the force after the lagging valve."""
+        """Returns A_3 of the page: the force after the lagging valve, N. a_2 is the force before it, and `stands` the state of the valve."""
         p, c = self.p, self.c["valve_hysteresis"]
         if p["valve_form"] == "opening":
             return a_2 * (1 + p["valve_hysteresis_share"] * (self.opening(a_2, stands)[1] - stands))
@@ -324,7 +324,7 @@ class Damper:
         return {"valve_hysteresis": sgn(a_3 - stands) * moves / tau}
 
     def valves(self, w, x, temperature, states):
-        """Returns A_2, A_3, A_4 and N of the page: the force after each effect of the valves."""
+        """Returns A_2, A_3, A_4 and N of the page, N: the force after fade, lagging valve and frequency-selective damping, and their result."""
         p = self.p
         a_2 = self.curve(w) - self.standing
         if "position_dependent_damping" in self.on and p["bypass_form"] == "factor" and self.acts_on(a_2 >= 0):
@@ -346,7 +346,7 @@ class Damper:
         return a_2, a_3, a_4, n
 
     def beside(self, f_h, x, states):
-        """Returns b of the page: the flow that bypasses the valves."""
+        """Returns b of the page: the flow that bypasses the valves, as a piston velocity, m/s."""
         p, flow = self.p, 0.0
         if "position_dependent_damping" in self.on and p["bypass_form"] == "groove" and self.acts_on(f_h >= 0):
             c = self.c["position_dependent_damping"]
@@ -376,7 +376,7 @@ class Damper:
         return (t - z * (abs(t) + self.selective_emptying(f_h, t, z))) / p["fsd_time"]
 
     def into_void(self, f_h, v, states):
-        """Returns c of the page: the part of the void's rate that depends on the hydraulic force."""
+        """Returns c of the page: the part of the void's rate that depends on the hydraulic force f_h, m/s."""
         if "cavitation" not in self.on:
             return 0.0
         p, c = self.p, self.c["cavitation"]
@@ -392,7 +392,7 @@ class Damper:
         return c["SLACK"] / cap * (beyond - open_ * short)
 
     def lags(self, v):
-        """Returns a_f of the page: the rate at which the refill deficit of a foot valve opens the void."""
+        """Returns a_f of the page: the rate at which the refill deficit of a foot valve opens the void, m/s."""
         p = self.p
         if p["cavitation_form"] == "cap":
             return 0.0
@@ -413,7 +413,7 @@ class Damper:
         return p["aeration_stroke"] * (p["aeration_compression"] if side < 0 else 1.0), p["aeration_force"]
 
     def lengths(self, x):
-        """Returns ℓ_r and ℓ_c of the page, each with its derivative with respect to x."""
+        """Returns the relative lengths ℓ_r and ℓ_c of the rebound and compression chamber, each with its derivative with respect to x, 1/m."""
         shortening, shortest = self.p["oil_shortening"], self.c["oil_compressibility"]["SHORTEST"]
         rebound = (1 - shortening * x, -shortening) if 1 - shortening * x > shortest else (shortest, 0.0)
         return rebound, (1 + shortening * x, shortening) if 1 + shortening * x > shortest else (shortest, 0.0)
@@ -429,7 +429,7 @@ class Damper:
         return self.c["oil_compressibility"]["CHANGES"] / max(p["oil_stiffness"], p["oil_compression"] * p["oil_stiffness"])
 
     def column(self, s, x):
-        """Returns F_h, ∂s/∂x and ℓ of the oil column."""
+        """Returns the hydraulic force F_h, N, ∂s/∂x and the relative length ℓ of the oil column in the state s at displacement x, m."""
         q, by_x = s, 0.0
         length = self.lengths(x)[0][0] if self.has_length() and not self.counts_stroke() else 1.0
         if self.counts_stroke():
@@ -567,7 +567,7 @@ class Damper:
     # One instant.
 
     def instant(self, x, v, side_force, temperature, states):
-        """Returns the force with its components, and the derivatives of all states."""
+        """Returns the force with its components, and the time derivatives of all states."""
         p = self.p
         rates = {}
         x_m, u = (states["internal_mass"], states["internal_mass_velocity"]) if self.has_series else (x, v)

@@ -1,4 +1,4 @@
-//! Random dampers at random instants.
+//! Random dampers with random states and inputs at one instant.
 
 use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, List, Number, Shape, table};
@@ -6,7 +6,7 @@ use dashpot_core::{Input, Model, Params, State};
 use dashpot_core::{element, list};
 use dashpot_test_support::Random;
 
-/// A damper at an instant.
+/// A damper with its input and its state at one instant.
 pub struct Case {
     pub params: Params,
     pub model: Model,
@@ -14,7 +14,7 @@ pub struct Case {
     pub state: State,
 }
 
-/// Distribution of a number.
+/// Distribution of a random number between two bounds.
 enum Span {
     /// Uniform.
     Even(f64, f64),
@@ -28,8 +28,8 @@ enum Span {
     Else(f64, f64),
 }
 
-/// Distributions of the numbers whose default does not indicate their magnitude, or that have an effect only far from
-/// the default.
+/// Distributions of the parameters whose default does not indicate their magnitude, or that have an effect only far
+/// from the default.
 const SPANS: &[(&str, Span)] = &[
     ("fv_rebound_v2", Span::Decade(0.3, 2.0)),
     ("fv_rebound_v1", Span::Decade(0.02, 0.25)),
@@ -74,7 +74,7 @@ const SPANS: &[(&str, Span)] = &[
     ("rebound_stop_damping", Span::Perhaps(100.0, 2e4)),
 ];
 
-/// Largest factor between a number without an entry in [`SPANS`] and its default.
+/// Largest factor between the drawn value of a parameter without an entry in [`SPANS`] and its default.
 const AROUND: f64 = 5.0;
 
 fn value(r: &mut Random, number: Number) -> f64 {
@@ -107,7 +107,8 @@ fn value(r: &mut Random, number: Number) -> f64 {
 /// Abscissae and forces of the points of a curve.
 type Points = (Vec<f64>, Vec<f64>);
 
-/// Draws points that do not decrease. Zero lies between the first and the last point.
+/// Draws the points of a non-decreasing curve. `steps` bounds the distance of two abscissae, and `steepness` the slope
+/// between them. Abscissa and force 0 lie between the first and the last point.
 fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     let count = 2 + r.one_of(15);
     let (mut u, mut f) = (vec![0.0], vec![0.0]);
@@ -123,7 +124,8 @@ fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     (u, f)
 }
 
-/// Moves one point of a curve to abscissa 0 and force 0, and shifts the forces of the other points accordingly.
+/// Moves the first point of a curve at an abscissa of at least 0 to the origin, and shifts the other forces
+/// accordingly.
 fn through_zero((mut u, mut f): Points) -> Points {
     let middle = u.iter().filter(|u| **u < 0.0).count();
     let up = f[middle];
@@ -169,13 +171,14 @@ fn params(r: &mut Random, first: Element) -> Params {
     params
 }
 
-/// Draws a speed of any magnitude and either sign; sometimes 0.
+/// Draws a velocity, m/s, of any magnitude and either sign; sometimes 0.
 fn speed(r: &mut Random) -> f64 {
     let size = if r.chance(0.3) { r.decade(1e-6, 3.0) } else { r.between(0.0, 2.0) };
     [size, -size][r.one_of(2)] * f64::from(u8::from(!r.chance(0.03)))
 }
 
-/// Draws a state in the range of dampers. A void is sometimes slightly negative, as after rounding.
+/// Draws a state with this name and unit, of a magnitude that occurs in dampers; `x` is the displacement, m. A void is
+/// sometimes slightly negative, as after rounding.
 fn state(r: &mut Random, (name, unit): (&str, &str), x: f64) -> f64 {
     match (name, unit) {
         ("internal_mass", _) => x + r.between(-1.0, 1.0) * r.decade(1e-6, 3e-3),
@@ -195,13 +198,13 @@ fn state(r: &mut Random, (name, unit): (&str, &str), x: f64) -> f64 {
     }
 }
 
-/// Draws the case with this index. The index selects one element that is always on, each element in turn.
+/// Draws the case with this index. The index selects one element that is always on, so that each element is on in turn.
 pub fn case(r: &mut Random, index: usize) -> Case {
     let names: Vec<&str> = names().collect();
     let first = Element::find(names[index % names.len()]).unwrap();
     loop {
         let params = params(r, first);
-        // An inconsistent set is rejected and drawn again.
+        // An inconsistent parameter set is rejected and drawn again.
         let Ok(model) = Model::new(&params) else { continue };
         let (x, v) = (r.between(-0.1, 0.1), speed(r));
         let side_force = if r.chance(0.1) { 0.0 } else { r.between(-3e3, 3e3) };

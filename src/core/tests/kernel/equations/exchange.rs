@@ -7,16 +7,16 @@ use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Shape, table};
 use std::fmt::Debug;
 
-/// Section and name of a constant on the page of equations.
+/// Section and name of a constant on the book's page of equations.
 pub type Constant = (String, String);
 
-/// A case to compute, with an optional factor on one of the constants.
+/// A case to compute with the program of the book's equations, with an optional factor on one of the page's constants.
 pub struct Question<'a> {
     pub case: &'a Case,
     pub shift: Option<(&'a Constant, f64)>,
 }
 
-/// One number of a result.
+/// One number that the program of the book's equations computed for a question.
 pub struct Answer {
     pub question: usize,
     pub kind: String,
@@ -24,7 +24,7 @@ pub struct Answer {
     pub value: f64,
 }
 
-/// Formats a JSON object. Names and words of the table need no escapes, and numbers keep their last digit.
+/// Formats a JSON object. Names and words of the parameter table need no escapes, and numbers keep their last digit.
 fn object(members: impl Iterator<Item = (impl Debug, String)>) -> String {
     let members: Vec<String> = members.map(|(name, value)| format!("{name:?}: {value}")).collect();
     format!("{{{}}}", members.join(", "))

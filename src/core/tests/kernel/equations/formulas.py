@@ -11,12 +11,12 @@ import sheet
 
 # Sections with sums and lists of the results of other formulas, and with equations to solve. The comparison of whole dampers with the kernel checks them.
 STRUCTURE = {"The frame", "The hydraulic path", "The settled state"}
-# Left sides that are words, node numbers, or a sum with an open end. They are not compared.
+# Left sides of formulas that are words or node numbers, or whose sum has no stated end. They are not compared.
 PROSE = {"elsewhere A_1", "elsewhere b", "i", "m_k", "h_k", "Y(v)", "lagged_polynomial", "F_h"}
 
 
 class Drawn(dict):
-    """Parameters that are drawn at random when they are first read. Forms are given."""
+    """Parameters that are drawn at random when they are first read. The words that select forms are given."""
 
     def __missing__(self, name):
         self[name] = random.uniform(0.3, 2.0)
@@ -162,7 +162,7 @@ def position(page):
 def fade(page):
     element = "temperature_fade"
     for coefficient in (0.01, 10.0, -10.0):
-        # The exponent of the first coefficient is inside all limits, those of the others are not.
+        # The exponent of the fade is inside its limits with the first coefficient, and outside with the others.
         forms = {"fade_coefficient": coefficient, "fade_reference": 20.0, "fade_slackening": 0.01}
         model, book, p = dampers(page, [element], **forms)
         a_1, host, rise = one(), random.uniform(-100.0, 100.0), random.uniform(0.0, 50.0)
@@ -205,7 +205,7 @@ def valve(page):
     a_2, y, tau = one(), random.uniform(0.0, 1.0), p["valve_time"]
     yield model.late(a_2, y), book.value(element, "A_3", 0, A_2=a_2, y=y)
     yield model.valve_rates(a_2, 0.0, {element: y})[element], book.value(element, "dy/dt", A_2=a_2, y=y)
-    # The second curve rises faster than the square of the velocity, so no valve lags there.
+    # The second list of forces rises faster than the square of the velocity, so no valve lags there.
     forces = random.choice(([-900.0, -500.0, 100.0, 300.0, 800.0], [-5e3, -50.0, 0.5, 50.0, 5e3]))
     model, book, p = dampers(page, ["fv_curve", element], valve_form="spool", fv_force=forces, valve_opening_force=90.0, valve_width=40.0)
     a_2, stands = 300 * one(), 300 * one()
@@ -301,7 +301,7 @@ def stops(page):
                 x, v = sign * (p[f"{element}_clearance"] + pressed), sign * speed
                 which = {"Stop(D, s)": int(pressed <= 0), "f(s)": 0 if speed <= 0 else 1 if flow == "gap" else 2}
                 if element == "rebound_stop":
-                    # The law of the bump stop is evaluated with the parameters of the rebound stop.
+                    # The page has the law of both stops under `bump_stop`. It is evaluated here with the parameters of the rebound stop.
                     for name in ("stiffness", "progression", "loss", "damping"):
                         p[f"bump_stop_{name}"] = p[f"{element}_{name}"]
                 press = lambda depth, s, book=book: book.value("bump_stop", "Stop(D, s)", int(depth <= 0), D=depth, s=s, forms=which)

@@ -3,7 +3,7 @@
 use super::draw::Case;
 use dashpot_core::{Model, State, evaluate};
 
-/// Returns the states of a model with their names, in the order of the model.
+/// Returns names and values of the states of a model, in the order of the model.
 pub fn states<'a>(model: &'a Model, state: &'a State) -> impl Iterator<Item = (&'static str, f64)> + 'a {
     let values = [state.mass_displacement, state.mass_velocity].into_iter().chain(state.internal);
     (0..model.states()).zip(values).map(|(i, value)| (model.state_name(i).expect("a state").0, value))

@@ -1,8 +1,8 @@
 //! Checks that the equations of the book (docs/book/src/equations.md) are those of the kernel.
 //!
 //! A Python program that follows the page alone (`damper.py`) must agree with the kernel for random dampers at random
-//! instants. The formulas of the page, evaluated as printed, must agree with that program. The page must contain
-//! everything in the kernel's parameter table.
+//! instants. The formulas of the page, evaluated as printed, must agree with that program. The page must name every
+//! element, parameter, form and state of the kernel.
 
 mod draw;
 mod exchange;
@@ -19,22 +19,24 @@ use exchange::{Constant, Question, answers};
 use proptest::test_runner::RngSeed;
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Allowed difference of the two programs due to rounding, relative to the number plus 1.
+/// Allowed difference between the book's program and the kernel due to rounding, relative to the number plus 1.
 const SHARE: f64 = 1e-9;
-/// Tolerance if the oil velocity is the root of an equation.
+/// Relative tolerance for numbers that depend on an oil velocity that is the root of an equation.
 ///
 /// The error of Newton's method in the kernel is mostly below 1e-13 m/s, but sometimes larger near a knee. One number
-/// in `RARE` may therefore differ by this much.
+/// in `RARE` may therefore differ by up to this tolerance.
 const SOLVED: f64 = 1e-6;
 const RARE: usize = 10_000;
-/// Absolute tolerance of steady states, which may be small. The kernel's tanh and exp are accurate to about 1e-16 of
-/// their largest value.
+/// Absolute tolerance of steady states, whose values may be small. The kernel's tanh and exp are accurate to about
+/// 1e-16 of their largest value.
 const ROUNDING: f64 = 1e-13;
 
-/// Distance from the longest void at rest, m, within which a rounding error decides whether a void remains.
+/// Distance from the longest allowed steady-state void of 1 m, m, within which a rounding error decides whether the
+/// result is this void or 0.
 const LIMIT: f64 = 1e-9;
 
-/// Returns whether two numbers of the same kind agree. `share` is the relative tolerance.
+/// Returns whether two values of a number agree; `kind` is "part", "rate" or "settled". `share` is the tolerance
+/// relative to the larger magnitude plus 1, or to this magnitude for a steady state ("settled").
 fn agree(kind: &str, one: f64, other: f64, share: f64) -> bool {
     let size = one.abs().max(other.abs());
     (one - other).abs() <= if kind == "settled" { share * size + ROUNDING } else { share * (size + 1.0) }
@@ -88,7 +90,7 @@ fn the_page_and_the_kernel_answer_alike() {
         near.len(),
         near.join("\n")
     );
-    // A form that is never drawn is not tested.
+    // Check that each form of each element was drawn, because a form that is never drawn is not tested.
     let mut forms = BTreeSet::new();
     for case in &cases {
         for row in table() {
@@ -110,10 +112,12 @@ fn the_page_and_the_kernel_answer_alike() {
     }
 }
 
-/// Constants whose effect the test cannot see. It is below rounding, or occurs at forces that no damper has.
+/// Constants whose effect on the results is below rounding, or occurs at forces that no damper has, so that the test
+/// cannot detect it.
 const UNSEEN: [&str; 3] = ["STEADY", "LEAST", "OCTAVES"];
 
-/// Every constant of the page has an effect on some result. Otherwise the comparison would not test its value.
+/// Every constant of the book's page has an effect on some result. A constant without effect would not be tested by the
+/// comparison.
 #[test]
 fn every_constant_of_the_page_counts() {
     // The cases are always the same, because this test checks the comparison, not the damper.
@@ -150,8 +154,8 @@ fn every_constant_of_the_page_counts() {
     assert!(unseen.is_empty(), "a tenth more of these changes no answer: {unseen:?}");
 }
 
-/// The formulas as printed on the page agree with the program. Otherwise the program could agree with the kernel while
-/// the page is wrong.
+/// The formulas as printed on the page agree with the program `damper.py`. Without this test, the program could agree
+/// with the kernel while the page is wrong.
 #[test]
 fn the_formulas_of_the_page_are_those_of_the_program() {
     let Some(said) = python::run("formulas.py", "") else { return };

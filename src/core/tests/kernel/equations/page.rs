@@ -1,14 +1,14 @@
-//! Names and constants of the page of equations.
+//! Headings and constants of the book's page of equations (`equations.md`).
 
 use super::exchange::Constant;
 use std::path::{Path, PathBuf};
 
-/// Returns the path of the page of equations.
+/// Returns the path of the book's page of equations.
 pub fn path() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/src/equations.md")
 }
 
-/// Reads the whole page.
+/// Reads the whole page of equations.
 pub fn text() -> String {
     std::fs::read_to_string(path()).expect("the page of the equations")
 }

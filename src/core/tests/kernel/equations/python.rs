@@ -11,7 +11,7 @@ use std::process::{Command, Stdio};
 pub fn run(program: &str, asked: &str) -> Option<String> {
     let program = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/kernel/equations").join(program);
     let mut python = Command::new("python3");
-    // The option prevents compiled files next to the sources.
+    // The option `-B` prevents compiled files next to the sources.
     python.arg("-B").args([program, page::path()]);
     let piped = python.stdin(Stdio::piped()).stdout(Stdio::piped()).stderr(Stdio::piped());
     let Ok(mut python) = piped.spawn() else {
