@@ -86,8 +86,11 @@ fn row(one: &Checked) -> String {
     let damping = one.damping_in_friction().map_or_else(String::new, |damping| {
         format!(", but {} N of it grow with velocity, so they are damping", digits(damping, 2))
     });
+    // The limit applies to every such step, so only the slowest one is named.
+    let step = one.measured.as_ref().and_then(|value| value.step);
+    let step = step.map_or_else(String::new, |(from, to)| format!(" (slowest: from {from} to {to})"));
     format!(
-        "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}{unsure}{damping}",
+        "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}{step}{unsure}{damping}",
         known(velocity_m_s.map(|v| 1e3 * v), 1),
         known(low.map(|low| factor * low), 1),
         known(high.map(|high| factor * high), 1),

@@ -33,6 +33,7 @@ dashpot_messages::phrases! {
     AT_ALL_SETTINGS: "at every setting this damper shows {effect} ({sure} sure{instead})";
     AT_SOME_SETTINGS: "{effect} ({sure} sure{instead}) is missing in the model at {names}; at the other settings it is not named";
     AT_NO_SETTING: "no effect is missing in the model that these records can name, at any setting";
+    ONLY_TOGETHER: "no setting alone needs {effects}; one setting tells less than all together, so the fit over all settings (dashpot fit --setting) decides whether the model keeps it";
     CHANGED_AT_ALL_SETTINGS: "{name} changed at every setting ({sure} sure)";
     CHANGED_AT_SOME_SETTINGS: "{name} changed at {names} ({sure} sure); at the other settings no change of it shows";
     CHANGED_AT_NO_SETTING: "nothing has changed that these records can name, at any setting";

@@ -333,6 +333,15 @@ fn summarize(
     if said.is_empty() && open.is_empty() {
         said.push(if is_against { phrases::CHANGED_AT_NO_SETTING } else { phrases::AT_NO_SETTING }.into());
     }
+    // Several effects may explain the records of one setting equally well, although shared numbers separate them in a fit
+    // over all settings. Without this sentence, a user would remove such an effect.
+    let is_only_together = |of: &&EffectOverSettings| {
+        of.settings.len() == count && of.settings.iter().all(|at| at.status == Status::Removed)
+    };
+    let only_together: Vec<&str> = effects.iter().filter(is_only_together).map(|of| of.effect).collect();
+    if count > 1 && !is_against && !only_together.is_empty() {
+        said.push(Sentence::from(phrases::ONLY_TOGETHER).with_names("effects", only_together, phrases::COMMA));
+    }
     if !open.is_empty() {
         said.push(over(open.to_vec(), phrases::NO_NAME_AT_ALL_SETTINGS, phrases::NO_NAME_AT_SOME_SETTINGS));
     }
@@ -376,6 +385,11 @@ mod tests {
         assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
+        // An effect that no setting alone needs may still be needed by all settings together.
+        let removed = effect("oil_compressibility", &[0.0, 1.0, 2.0].map(|setting| (setting, Status::Removed)));
+        let said = summary(&[removed.clone()], &[], &[], false);
+        assert!(said.len() == 2 && said[1].starts_with("no setting alone needs oil_compressibility"), "{said:?}");
+        assert_eq!(summary(&[removed], &[], &[], true).len(), 1);
         // An unnamed disagreement of model and records counts as a finding.
         let said = summary(&all[2..], &[], &[2.0], false);
         assert!(said.len() == 1 && said[0].starts_with("at 2 A something is missing"), "{said:?}");

@@ -249,6 +249,7 @@ certificate-why-untested-at-setting = there is no test at that speed and setting
 certificate-unsure = { $verdict }, not sure: the measured time is known to ± { $value } ms
 certificate-damping = { $verdict }; { $value } N of it grow with velocity, so they are damping
 certificate-interpolated = { $tests }, interpolated
+certificate-step = step from { $from } to { $to }: { $tests }
 certificate-model-passes = The model gives the same answer to every limit.
 certificate-model-fails = The model answers { $count } of the limits otherwise than the measurement, so a simulation shows another damper there.
 certificate-caption = Forces are those at peak velocity, mean over the cycles of the test with the longest stroke that reaches the speed; interpolated linearly between two tests whose velocities differ by a factor of { $ratio } at most, else of a test within { $percent } % of the speed. Rebound and tension are positive, compression negative. Gas force and friction are mean and half difference of the strokes of the slow tests. Hysteresis is the mean gap between rising and falling velocity at equal velocity.

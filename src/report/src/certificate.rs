@@ -108,6 +108,14 @@ fn table(found: &Certificate, words: &Words) -> Table {
         // The force was interpolated between two tests, so neither test measured it.
         let between = limit.quantity == Quantity::Force && one.measured.as_ref().is_some_and(|v| v.tests.len() > 1);
         let tests = if between { words.fill(words.certificate_interpolated, &[("tests", &tests)]) } else { tests };
+        let step = one.measured.as_ref().and_then(|value| value.step);
+        let tests = match step {
+            Some((from, to)) => {
+                let values = [("tests", tests), ("from", from.to_string()), ("to", to.to_string())];
+                words.fill(words.certificate_step, &values.each_ref().map(|(name, value)| (*name, &**value)))
+            }
+            None => tests,
+        };
         vec![
             label(one, words).into(),
             // All velocities in a report and its figures are in mm/s.

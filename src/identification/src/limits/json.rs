@@ -21,6 +21,9 @@ impl Serialize for Figure<'_> {
         if let Some(damping) = self.of.damping {
             map.serialize_entry("damping_n", &damping)?;
         }
+        if let Some(step) = self.of.step {
+            map.serialize_entry("step", &step)?;
+        }
         map.serialize_entry("tests", &self.of.tests)?;
         map.end()
     }

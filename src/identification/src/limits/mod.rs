@@ -67,6 +67,8 @@ pub struct Value {
     pub uncertainty: Option<f64>,
     /// Part of a friction that grows with velocity, N, or `None` if it is unknown. It is the damping at the speed of the slow tests.
     pub damping: Option<f64>,
+    /// Settings before and after the steps of a response time; `None` for a force.
+    pub step: Option<(f64, f64)>,
 }
 
 /// One limit with its figures and verdicts.

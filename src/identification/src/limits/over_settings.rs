@@ -158,11 +158,18 @@ fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
                 tests: of.tests.clone(),
                 uncertainty: uncertainty(of.uncertainty),
                 damping: None,
+                step: Some((of.from, of.to)),
             })
         });
-        let of_each = own.iter().flat_map(|of| &of.groups).filter_map(|group| {
-            let tests = vec![group.test.clone()];
-            Some(Value { value: time(part(group)?), tests, uncertainty: uncertainty(group.uncertainty), damping: None })
+        let of_each = own.iter().flat_map(|of| of.groups.iter().map(move |group| (of, group)));
+        let of_each = of_each.filter_map(|(of, group)| {
+            Some(Value {
+                value: time(part(group)?),
+                tests: vec![group.test.clone()],
+                uncertainty: uncertainty(group.uncertainty),
+                damping: None,
+                step: Some((of.from, of.to)),
+            })
         });
         // Judge each group of steps too, because a mean over tests and stroke directions would hide a slow response.
         of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
@@ -273,6 +280,9 @@ mod tests {
         // JSON has the figures in seconds, and their keys end in the unit.
         let json = serde_json::to_value(&found.limits[0]).unwrap();
         assert_eq!(json["measured"]["uncertainty_s"], 0.0005);
+        // The slowest step upwards and the only step downwards.
+        assert_eq!(json["measured"]["step"], serde_json::json!([0.0, 1.6]));
+        assert_eq!(found.limits[2].measured.as_ref().unwrap().step, Some((1.6, 0.0)));
         // The uncertainty of 0.5 ms does not decide about the limit of 11 ms, because the value 12 ms is 1 ms away.
         assert_eq!(found.limits[0].deciding_uncertainty(), None);
         let near =

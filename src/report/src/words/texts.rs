@@ -236,6 +236,7 @@ dashpot_messages::interface! {
         certificate_why_untested,
         certificate_why_untested_at_setting,
         certificate_interpolated(tests),
+        certificate_step(from tests to),
         certificate_unsure(value verdict),
         certificate_damping(value verdict),
         certificate_model_passes,
