@@ -21,7 +21,7 @@ pub struct Thinned {
 /// Thins a path (Douglas & Peucker 1973) without a visible change.
 ///
 /// Points closer together than 0.2 px merge. Points within 0.2 px of the line between remaining points are removed. If more than `limit`
-/// points remain, as in a noisy measurement, the tolerance of 0.2 px increases until the path fits. If it exceeds [`ROUGH`], the result has
+/// points remain, as in a noisy measurement, the tolerance of 0.2 px increases until the path fits. If it exceeds 1 px, the result has
 /// `rough` set.
 pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     let mut near = INVISIBLE;

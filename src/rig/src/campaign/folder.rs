@@ -22,8 +22,8 @@ const UNFINISHED: &str = ".unfinished-campaign";
 
 /// Contents of [`CAMPAIGN_FILE`]: the execution of the campaign, without parameters of the damper.
 ///
-/// The seed determines the parameters of the damper. It is omitted if the true parameters and effects are sealed
-/// (encrypted).
+/// The seed determines the parameters of the damper. It is omitted if the truth (true damper and effects) is in a
+/// sealed folder.
 #[derive(Debug, Serialize, Deserialize)]
 struct Description {
     format: String,
@@ -172,8 +172,8 @@ impl Record {
 
 /// Lists the records of the earlier campaign in the folder. The list is empty if the folder is empty or missing.
 ///
-/// Returns an error if the folder is not empty and contains no earlier campaign, or if it contains a CSV file that is
-/// no record of it.
+/// Returns an error if a non-empty folder contains no earlier campaign, or contains a CSV file that is no record of
+/// that campaign.
 fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),

@@ -71,7 +71,7 @@ pub struct Campaign {
     pub options: Options,
     /// One record per test, in the order of the test matrix.
     pub records: Vec<Record>,
-    /// Whether `campaign.toml` omits the seed, because the true damper and effects are sealed (encrypted).
+    /// Whether `campaign.toml` omits the seed, because the truth (true damper and effects) is in a sealed folder.
     pub sealed: bool,
 }
 

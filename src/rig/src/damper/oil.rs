@@ -1,7 +1,7 @@
 //! Compressible oil with entrained air.
 //!
-//! The model conserves the oil mass by construction. The specific volume is an explicit function of pressure, and the
-//! bulk modulus follows from its exact derivative (mixture law of Merritt, *Hydraulic Control Systems*, 1967).
+//! The model conserves the oil mass by construction. The specific volume is an explicit function of pressure. The bulk
+//! modulus follows from its exact derivative (mixture law of Merritt, *Hydraulic Control Systems*, 1967).
 
 use super::ATMOSPHERE_PA;
 

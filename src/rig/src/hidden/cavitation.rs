@@ -68,8 +68,8 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let at_top = -recipe.neutral.valves.force_n(-1.5);
     let draw = &mut recipe.draw;
     Box::new(if form == 0 {
-        // The force limit varies only with the inverse root of the strength, because at a small strength a limit above
-        // all forces would have no effect.
+        // The force limit varies only with the inverse root of the strength. At a small strength, a limit above all
+        // forces would have no effect.
         let cap_n = at_top * draw.between("cap_share", 0.65, 0.85) / strength.sqrt();
         Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.03, 0.06) }
     } else {
