@@ -1,9 +1,9 @@
 //! A second laboratory: dampers and rig campaigns with laws from the literature.
 //!
-//! It shares no code and no law with the identified model or the first virtual rig. It therefore tests a diagnosis on
-//! dampers that did not influence the development of the diagnosis.
+//! This crate shares no code and no law with the identified model or the first virtual rig (`dashpot-rig`). It
+//! therefore tests a diagnosis on dampers that did not influence the development of the diagnosis.
 //!
-//! Signs and units follow the project: SI, extension and rebound positive, tension positive.
+//! All values are in SI units; extension (rebound) and tension are positive.
 
 mod campaign;
 mod case;
@@ -30,7 +30,7 @@ pub use protocol::plan::{LEFT_OUT_PREFIX, Plan};
 
 use std::path::PathBuf;
 
-/// Errors of the laboratory.
+/// Errors of the second laboratory.
 #[derive(Debug, thiserror::Error)]
 pub enum LabError {
     /// An unknown effect.
@@ -62,7 +62,7 @@ pub enum LabError {
     /// An invalid protocol.
     #[error("the protocol cannot be run: {what}: {why}")]
     Protocol {
-        /// The entry.
+        /// The invalid entry of the protocol.
         what: &'static str,
         /// The problem with the entry.
         why: &'static str,
@@ -70,7 +70,7 @@ pub enum LabError {
     /// A simulation without a finite force.
     #[error("the simulation of '{test}' finds no finite force: choose a smaller strength or another seed")]
     NoNumbers {
-        /// The test.
+        /// Name of the test.
         test: String,
     },
     /// A folder that is not empty.

@@ -1,10 +1,10 @@
 //! Interpolation of a quantity with unequal time steps.
 
-/// Interpolates `values`, which belong to the times `time`, to the time `t` by Hermite's cubic.
+/// Interpolates `values`, given at the times `time`, at the time `t` with Hermite's cubic.
 ///
 /// Outside the range of times, the result is the first or the last value.
 ///
-/// The slope at each point is that of the parabola through three points.
+/// The slope at each point is that of the parabola through this point and its neighbors, or 0 at an extremum.
 pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {
     let n = time.len();
     if t <= time[0] || n < 3 {
