@@ -1,4 +1,4 @@
-//! `dashpot simulate`: the force for any motion equals the kernel's.
+//! Tests of `dashpot simulate`: the force for any motion equals the kernel's.
 
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
@@ -25,7 +25,7 @@ fn model() -> Model {
     Model::new(&params).unwrap()
 }
 
-/// Returns displacement and velocity of a sum of two sines, m and m/s.
+/// Returns displacement, m, and velocity, m/s, of a sum of two sines at the time `t`, s.
 fn motion(t: f64) -> (f64, f64) {
     let (a, b) = (2.0 * TAU, 13.0 * TAU);
     (0.02 * (a * t).sin() + 0.001 * (b * t).sin(), 0.02 * a * (a * t).cos() + 0.001 * b * (b * t).cos())
