@@ -88,7 +88,7 @@ const POISON: [&[u8]; 32] = [
     b"[[[[[[[[[[[[[[[[",
 ];
 
-/// Damages the bytes of a file in one to three positions. Changes bytes, truncates the file, inserts words of [`POISON`], overwrites bytes
+/// Damages the bytes of a file in one to three positions. Changes bytes, truncates the file, inserts words of `POISON`, overwrites bytes
 /// with such words, repeats or removes parts.
 pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     for _ in 0..=random.below(3) {

@@ -458,8 +458,8 @@ const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"
      coulomb_force = 25.0\nfv_velocity = [-1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0]\n\
      fv_force = [[-700.0, -300.0, -150.0, 0.0, 250.0, 500.0, 1100.0], [-1700.0, -900.0, -500.0, 0.0, 900.0, 1700.0, 3000.0]]\n";
 
-/// Simulates a sine test at the commanded pressures `commands` (start time, s, and pressure, bar) and writes a record,
-/// with a pressure column if the pressure changes.
+/// Simulates a sine test with pairs of start time, s, and commanded pressure, bar, and writes a record. The record has
+/// a pressure column if the pressure changes.
 ///
 /// The valve receives a command in the step that ends at the time of the command. The column contains the command
 /// already `late` seconds before that time.
@@ -560,8 +560,8 @@ fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
         fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
     };
     let (fast, slow) = (fitted(1000.0).actuator.unwrap(), fitted(250.0).actuator.unwrap());
-    // The test compares the times of rise and fall to 63 % (dead time plus time constant), because the estimates of
-    // dead time and time constant are correlated.
+    // The test compares the times of rise and fall to 63 %. They are dead time plus time constant, whose estimates are
+    // correlated.
     let sum = |of: &ActuatorFit, name: &str| {
         let value = |name: &str| of.estimates.iter().find(|e| e.name == name).map_or(0.0, |e| e.value);
         value(name) + value("setting_dead_time")

@@ -30,7 +30,7 @@ fn matrix() -> Vec<Sine> {
 }
 
 /// Simulates the campaign. The standard deviation of the force noise is `noise` times each test's root mean square
-/// force, and `side` gives the side force of each test, N.
+/// force. `side` gives the side force of each test, N.
 fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Option<f64>) -> Vec<Record> {
     let mut tests = matrix();
     for (k, test) in tests.iter_mut().enumerate() {

@@ -148,8 +148,8 @@ impl Record {
         format!("{}.csv", self.point.name)
     }
 
-    /// Writes the record as CSV. For displacement, velocity and side force, the last decimal is at most a tenth of the
-    /// default sensor noise.
+    /// Writes the record as CSV. In every channel except time, the last decimal is at most a tenth of the default
+    /// sensor noise.
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let side = self.side_force_n.as_deref();
         let temperature = self.temperature_c.as_deref();

@@ -22,7 +22,7 @@ const MOUNT_RATE: usize = 4;
 /// Motion and side force that the rig imposes at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Excitation {
-    /// Displacement of rod end relative to tube from mid-stroke, m, positive in extension.
+    /// Displacement that the actuator imposes, from mid-stroke, m, positive in extension.
     pub displacement_m: f64,
     /// Velocity, m/s, positive in extension.
     pub velocity_m_s: f64,

@@ -118,8 +118,8 @@ fn a_mass_on_the_damper_moves_as_with_the_kernel_whatever_the_steps() {
     let model = model_of(PLAIN);
     for routine in ROUTINES {
         for hmax in ["5e-3", "5e-4"] {
-            // With bad=1, the solver also evaluates rejected time points. With late=1, it accepts a time point without
-            // a preceding evaluation.
+            // With bad=1, the solver also evaluates time points that it does not accept. With late=1, it accepts a time
+            // point without a preceding evaluation.
             for bad in ["bad=0", "bad=1", "late=1"] {
                 let limit = format!("hmax={hmax}");
                 let settings = with(&path, &["mass=1", "frequency=3", "end=0.7", bad, &limit]);

@@ -553,8 +553,8 @@ fn the_native_elements_agree_with_the_model() {
     );
 }
 
-/// Checks the native Adams elements of a damper with the elements of a default fit of the virtual rig, and with other
-/// forms of presliding friction.
+/// Checks the native Adams elements of the model of a default fit of the virtual rig, also with other forms of
+/// presliding friction.
 #[test]
 fn the_native_elements_hold_the_default_fit() {
     let fit = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\", \"presliding_friction\"]\n\

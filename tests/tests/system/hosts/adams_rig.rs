@@ -89,8 +89,8 @@ fn the_reader_refuses_what_is_broken() {
     }
 }
 
-/// Masses of tube and rod, kg, and the bushings between rod and ground (index 0) and between tube and rig (index 1),
-/// N/m and N s/m.
+/// Masses of tube and rod, kg, and stiffness, N/m, and damping, N s/m, of the two bushings. Index 0 is between rod and
+/// ground, index 1 between tube and rig.
 struct Rig {
     tube: f64,
     rod: f64,
@@ -135,8 +135,8 @@ impl Rig {
         (Instant { y, damper: rate }, output.force)
     }
 
-    /// Computes the expected SFORCE, N, at the accepted time points of a test that starts at the time `begin`, s, by a
-    /// fourth-order method with short steps.
+    /// Computes the expected SFORCE, N, at the accepted time points of a test that starts at the time `begin`, s. The
+    /// method is of fourth order, with short steps.
     fn run(
         &self,
         model: &Model,

@@ -1,5 +1,5 @@
-//! Tests of the accuracy of the simulator bridge (`vi-crt-bridge`) at host steps from 0.25 to 2 ms, compared with the
-//! converged solution over the test matrix.
+//! Tests of the accuracy of the simulator bridge (`vi-crt-bridge`) at host steps from 0.25 to 2 ms. The reference is
+//! the converged solution over the test matrix.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;

@@ -45,8 +45,8 @@ fn of_fmi_3() {
     starts("3");
 }
 
-/// Checks that the export mentions a delay of the force by one step if the user does not specify with `--inputs` when
-/// the importer sets the inputs.
+/// Checks that an export without `--inputs` mentions a delay of the force by one step. This option states when the
+/// importer sets the inputs.
 #[test]
 fn the_delay_is_told_where_nobody_said_when_inputs_come() {
     let folder = tempfile::tempdir().expect("a directory");

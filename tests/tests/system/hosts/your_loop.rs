@@ -53,8 +53,8 @@ fn three_loops_are_one_car() {
     }
 }
 
-/// Checks that a moving mass in the damper affects the car as in a simulation with small steps, even if a loop advances
-/// the displacement with another velocity.
+/// Checks that a moving mass in the damper affects the car as in a simulation with small steps. This must hold even if
+/// a loop advances the displacement with another velocity.
 ///
 /// The loop `explicit` is semi-implicit. The errors of a loop in the motion of the car body cancel in the difference
 /// between runs with and without the mass.
