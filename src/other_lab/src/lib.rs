@@ -36,25 +36,25 @@ pub enum LabError {
     /// An unknown effect.
     #[error("there is no effect '{name}' to hide; choose one of: {names}")]
     Effect {
-        /// The requested effect.
+        /// Name of the requested effect.
         name: String,
-        /// The available effects.
+        /// Names of the available effects.
         names: String,
     },
     /// An unknown law.
     #[error("'{effect}' has no law '{law}'; choose one of: {laws}")]
     Law {
-        /// The effect.
+        /// Name of the effect.
         effect: String,
-        /// The requested law.
+        /// Name of the requested law.
         law: String,
-        /// The available laws.
+        /// Names of the laws of the effect.
         laws: String,
     },
     /// An invalid strength.
     #[error("the strength of '{effect}' is {strength}: it has to be 0 or more")]
     Strength {
-        /// The effect.
+        /// Name of the effect.
         effect: String,
         /// The requested strength.
         strength: f64,
@@ -76,15 +76,15 @@ pub enum LabError {
     /// A folder that is not empty.
     #[error("'{path}' is not an empty folder: choose a new one, so that records of two campaigns do not mix")]
     Folder {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
     },
     /// A file that is not writable.
     #[error("cannot write '{path}'")]
     Io {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
 }

@@ -26,7 +26,7 @@ pub struct Around {
     pub clock: f64,
     /// Duration of the campaign, s.
     pub campaign: f64,
-    /// Side force, N.
+    /// Side force on the rod, N.
     pub side: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,

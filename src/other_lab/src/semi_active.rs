@@ -34,7 +34,7 @@ const STEP: f64 = 1e-3;
 /// Parameters of a semi-active damper.
 #[derive(Debug, Clone)]
 pub struct SemiActivePlant {
-    /// The valve.
+    /// Solenoid valve that the current controls.
     pub valve: SolenoidValve,
     /// Largest current of the valve, A.
     pub most: f64,

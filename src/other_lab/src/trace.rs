@@ -18,7 +18,7 @@ pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {
         let k = k.min(n - 2).max(1);
         let (before, after) = (time[k] - time[k - 1], time[k + 1] - time[k]);
         let (m0, m1) = ((values[k] - values[k - 1]) / before, (values[k + 1] - values[k]) / after);
-        // The slope is zero at an extremum, which avoids overshoot.
+        // The slope is zero at a local extremum of the values, so that the curve does not overshoot them.
         if m0 * m1 <= 0.0 { 0.0 } else { (m0 * after + m1 * before) / (before + after) }
     };
     let h = time[i + 1] - time[i];

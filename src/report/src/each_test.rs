@@ -1,4 +1,4 @@
-//! The single tests, each with its errors, plots and notes of the cleaning.
+//! Parts of a report for single tests: errors, plots, and notes on the cleaning of the record.
 
 use super::blocks::{Block, Figure, Section};
 use super::numbers::{digits, error, force, frequency, milli, percent};

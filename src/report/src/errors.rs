@@ -44,7 +44,7 @@ fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [V
     ]
 }
 
-/// Builds the table of single tests.
+/// Builds the section with one table row per test.
 pub fn tests(validation: &Validation, words: &Words) -> Section {
     let rows = validation
         .tests

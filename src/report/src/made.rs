@@ -14,7 +14,7 @@ use std::path::Path;
 /// Identity of an input file: name, size and hash.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MadeFrom {
-    /// Name from the command line.
+    /// Name of the file, as on the command line.
     pub name: String,
     /// Size in bytes.
     pub bytes: u64,

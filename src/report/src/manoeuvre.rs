@@ -20,9 +20,9 @@ use serde::Serialize;
 /// Ranges, from the smallest to the largest value, of the displacement and velocity of a damper.
 #[derive(Serialize, Debug, Clone, Copy)]
 pub struct Region {
-    /// Displacement, m.
+    /// Smallest and largest displacement, m.
     pub displacement_m: [f64; 2],
-    /// Velocity, m/s.
+    /// Smallest and largest velocity, m/s.
     pub velocity_m_s: [f64; 2],
 }
 
@@ -223,7 +223,7 @@ pub struct ManoeuvreInput<'a> {
     pub quiet: Option<&'a Quiet>,
     /// Displacements and velocities of the rig tests, if available.
     pub covered: Option<&'a Covered>,
-    /// The vehicle.
+    /// Parameters of the simulated vehicle.
     pub car: &'a Car,
     /// Speed of the vehicle, m/s.
     pub speed: f64,

@@ -21,7 +21,7 @@ pub struct ParameterRow {
     pub name: String,
     /// Value, in `unit`.
     pub value: f64,
-    /// Unit.
+    /// Unit of the value and its interval.
     pub unit: String,
     /// Lower end of the value's 95 % interval, if known.
     pub low: Option<f64>,
@@ -29,7 +29,7 @@ pub struct ParameterRow {
     pub high: Option<f64>,
     /// Source of the value: identified, measured, default, given.
     pub source: String,
-    /// Remark.
+    /// Remark in the last column of the table, unless `assumed` replaces it.
     pub remark: Remark,
     /// Assumption and its source, for a value that the data could not determine.
     pub assumed: Option<String>,

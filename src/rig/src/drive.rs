@@ -26,7 +26,7 @@ pub struct Drive {
     omega: f64,
     ramp: f64,
     rest: f64,
-    /// Start and end of the whole cycles at full amplitude, s.
+    /// Start and end of the whole cycles at full amplitude, s since the start of the test.
     full: (f64, f64),
     road: Option<Road>,
 }

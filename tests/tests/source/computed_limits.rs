@@ -47,7 +47,7 @@ fn limits_of_clamp_are_written_in_the_code() {
             continue;
         }
         let text = std::fs::read_to_string(&file).unwrap();
-        // Test modules are at the end of a file.
+        // Test modules are at the end of a file and are not checked.
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
         for (at, call) in code.match_indices(".clamp(") {
             seen += 1;

@@ -28,7 +28,7 @@ fn files_of_the_user_are_read_in_one_place() {
             continue;
         }
         let text = std::fs::read_to_string(&file).unwrap();
-        // Test modules are at the end of a file.
+        // Test modules are at the end of a file and are not checked.
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
         for (number, line) in code.lines().enumerate() {
             if !line.trim_start().starts_with("//") && CALLS.iter().any(|call| line.contains(call)) {

@@ -57,7 +57,7 @@ fn nothing_is_named_where_nothing_is_hidden() {
 
 #[test]
 fn what_is_in_no_catalogue_gets_no_name() {
-    // The strength 2.9923 gives the tilt severity 2.
+    // The injected strength 2.9923 gives the tilt of the crosshead the severity 2 of the case.
     let o = outcome_at(&[2.9923], "unknown", &Case::nothing(90_203).hiding("unknown_crosshead_tilt", 2.0));
     assert!(o.named.is_empty(), "{o:?}");
 }

@@ -65,7 +65,7 @@ fn fitted(records: &[Record]) -> Fit {
 #[test]
 fn an_oil_column_is_found_by_a_fit() {
     let mut truth = truth();
-    // A mount in series with the column would add its compliance to that of the column.
+    // A mount in series with the oil column would add its compliance to that of the column, so the damper has no mount.
     truth.enable(element!("series_compliance"), false);
     truth.enable(element!("oil_compressibility"), true);
     let (stiffness, ratio) = (2e6, 0.35);

@@ -78,7 +78,7 @@ impl StarvedIntake {
         let lags = self.share * softplus((here.v - self.follows) / self.edge) * self.edge;
         let is_open = void / (void + CLOSED);
         let still_fills = 0.1 * self.share * self.follows;
-        // The compression stroke closes the void.
+        // In compression (v < 0) the piston closes the void at its own velocity.
         lags - is_open * (still_fills + (-here.v).max(0.0))
     }
 }

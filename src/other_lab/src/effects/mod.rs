@@ -56,7 +56,7 @@ pub struct Here {
     pub mount: f64,
     /// Rate of the mount's deflection without the injected effects in series with it, m/s.
     pub mount_rate: f64,
-    /// Side force, N.
+    /// Side force on the rod, N.
     pub side: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,
@@ -142,7 +142,7 @@ pub struct Effect {
     pub laws: &'static [(&'static str, Make)],
 }
 
-/// An effect outside of all catalogs of damper models.
+/// An effect in no catalog of damper models, to which a diagnosis should give no known name.
 pub struct Unknown {
     /// Name and laws.
     pub effect: Effect,
@@ -179,7 +179,7 @@ pub const KNOWN: &[Effect] = &[
     gas_warming::EFFECT,
 ];
 
-/// Effects to which the diagnosis should not assign the name of a known effect.
+/// Injected effects in no catalog of damper models, to which a diagnosis should give no known name.
 pub const UNKNOWN: &[Unknown] = unknown::ALL;
 
 /// Finds an effect by name, known or unknown. Returns `None` for any other name.

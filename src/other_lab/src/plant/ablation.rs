@@ -28,7 +28,7 @@ pub enum Part {
 }
 
 impl Part {
-    /// All parts.
+    /// All parts that can be removed.
     pub const ALL: [Part; 10] = [
         Part::Presliding,
         Part::Stribeck,

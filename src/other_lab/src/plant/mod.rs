@@ -19,7 +19,7 @@ use flow::Valves;
 use monotube::Fluid;
 use serde::{Deserialize, Serialize};
 
-/// The kinds of damper.
+/// Kinds of simulated damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
@@ -139,7 +139,7 @@ impl Built {
 
 /// A damper: its mount, mass, friction and oil, with small deviations from an ideal damper.
 pub struct Plant {
-    /// Kind.
+    /// Kind of damper.
     pub kind: Kind,
     /// Mount in series with the damper.
     pub mount: Mount,
@@ -150,7 +150,7 @@ pub struct Plant {
     /// Whether friction and gas act in parallel with mount and oil together, as in the thesis (Jonnalagadda & Vyas
     /// 2020). Otherwise, they act in parallel with the oil alone, in series with the mount.
     pub seal_is_outside: bool,
-    /// The oil.
+    /// Hydraulic part of the damper: oil, valves and gas.
     pub oil: Box<dyn Oil>,
     /// Dimensions; `None` for a damper without chambers.
     pub built: Option<Built>,

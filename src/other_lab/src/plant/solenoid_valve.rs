@@ -36,7 +36,7 @@ const JET: f64 = 0.36;
 /// Parameters of a solenoid valve.
 #[derive(Debug, Clone)]
 pub struct SolenoidValve {
-    /// Voltages of battery and diode, V.
+    /// Voltage of the battery, and forward voltage of the diode, V.
     pub supply: [f64; 2],
     /// Gain of the current controller, V/A.
     pub gain: f64,
@@ -106,7 +106,7 @@ impl SolenoidValve {
         let [resistance, inductance] = self.coil;
         let wanted = resistance * command + self.gain * (command - y[CURRENT]);
         let voltage = wanted.min(self.supply[0]).max(-self.supply[1]);
-        // A diode prevents negative current.
+        // A diode prevents negative current, so a negative current of the integration decays within 0.1 ms.
         let rate = (voltage - resistance * y[CURRENT]) / inductance;
         r[CURRENT] = if y[CURRENT] < 0.0 { -y[CURRENT] / 1e-4 } else { rate };
         r[FLUX] = (y[CURRENT] - y[FLUX]) / self.eddy;

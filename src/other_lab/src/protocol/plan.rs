@@ -13,7 +13,7 @@ pub struct Test {
     pub motion: Motion,
     /// Mean displacement from mid-stroke, m.
     pub mean: f64,
-    /// Side force, N.
+    /// Side force on the rod, N.
     pub side: f64,
     /// Whether the test is excluded from identification.
     pub left_out: bool,

@@ -8,7 +8,7 @@ use dashpot_core::{Model, Params};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_simulation::prediction::between_velocities;
 
-/// Size, px, for the full width of a printed page.
+/// Width and height of the figure, px. The width fills a printed page.
 const SIZE: [f64; 2] = [880.0, 340.0];
 
 /// Draws the FV curves of the reference and of the improved model, including friction and gas force, over the velocity

@@ -5,7 +5,7 @@ use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
-/// Builds one table per iteration. Returns `None` if no hypothesis was tested.
+/// Builds one table per iteration of the diagnosis. Returns `None` if no hypothesis was tested.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let rounds: Vec<_> = found.iterations.iter().filter(|round| !round.is_empty()).collect();
     if rounds.is_empty() {

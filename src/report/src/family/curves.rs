@@ -56,7 +56,7 @@ pub fn by_setting(damper: &Definition, validation: &Validation, words: &Words) -
         let place = grid.iter().position(|value| dashpot_records::is_same_setting(*value, of.setting));
         let role = place.map_or(Role::Before, |k| Role::Group(k as u8));
         let own = of.places.iter().filter_map(|place| validation.tests.get(*place)).flat_map(|test| &test.peaks);
-        // The line with this color already has the name in the legend.
+        // The FV curve of the same setting, in the same color, already has the legend entry.
         all.add(role, String::new(), own.map(measured).collect(), Marks::Dots);
     }
     for (k, setting) in grid.iter().enumerate() {

@@ -33,7 +33,7 @@ pub struct FamilyReport<'a> {
 }
 
 impl FamilyReport<'_> {
-    /// Builds the sections at the beginning of the report.
+    /// Builds the sections with which the report of an adjustable damper begins.
     pub fn sections(self, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Vec<Section> {
         let damper = self.model.definition();
         let unit = self.model.axis.unit();

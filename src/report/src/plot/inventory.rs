@@ -14,7 +14,7 @@ const BANDS: usize = 6;
 /// Smallest ratio of neighboring values that may separate two bands. Rigs control an amplitude within 5 %, and test matrices step by 20 %
 /// or more.
 const APART: f64 = 1.15;
-/// Width of the figure, px, for the full width of a printed page.
+/// Width of the figure, px, which fills a printed page.
 const WIDTH: f64 = 880.0;
 const ROW: f64 = 24.0;
 const BAR: f64 = 16.0;

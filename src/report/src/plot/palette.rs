@@ -20,7 +20,7 @@ pub enum Role {
     Shadow,
     /// Limits of a specification.
     Limit,
-    /// One of many dampers, with one of eight hues.
+    /// One of many dampers, by its index. The eight hues repeat from index 8 on.
     Group(u8),
 }
 
@@ -179,7 +179,8 @@ mod tests {
 
     #[test]
     fn the_forces_stay_apart_without_red_or_green_cones() {
-        // Matrices of Machado, Oliveira & Fernandes 2009, severity 1: normal, protanopia, deuteranopia.
+        // Matrices from linear RGB to the perceived linear RGB (Machado, Oliveira & Fernandes 2009, severity 1): normal vision, protanopia,
+        // deuteranopia.
         let sights = [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],

@@ -7,7 +7,7 @@ use crate::words::Words;
 use dashpot_identification::limits::{Certificate, Quantity};
 use dashpot_identification::validation::Validation;
 
-/// Size of the figure, px, for the full width of a printed page.
+/// Width and height of the figure, px. The width fills a printed page.
 const SIZE: [f64; 2] = [880.0, 400.0];
 
 /// Draws measured and computed peak forces of all tests over peak velocity. Returns `None` if no test has a peak

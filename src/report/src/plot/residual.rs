@@ -62,7 +62,8 @@ fn of_test(test: &TestOutcome) -> Vec<Sample> {
     let since = |i: usize| {
         let same = |k: usize| velocity[(i + n - k) % n] * velocity[i] > 0.0;
         let steps = (1..n).find(|k| !same(*k)).filter(|_| periodic)?;
-        // The sign changed between the samples `steps` and `steps − 1` before sample `i`.
+        // The sign of the velocity changed between the samples `steps` and `steps − 1` before sample `i`. Interpolate the time of the zero
+        // linearly.
         let (old, new) = (velocity[(i + n - steps) % n].abs(), velocity[(i + n - steps + 1) % n].abs());
         Some(step * (steps as f64 - 1.0 + new / (old + new).max(f64::MIN_POSITIVE)))
     };

@@ -320,7 +320,7 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
         for point in line {
             let [x, y] = point.map(|p| p / square);
             let [from_x, from_y] = last.unwrap_or([x, y]);
-            // Steps of at most half a square leave no gap.
+            // Points at most half a square apart on the segment leave no gap between the marked squares.
             let parts = (2.0 * (x - from_x).abs().max((y - from_y).abs())).ceil().max(1.0);
             for k in 0..=parts as u32 {
                 let part = f64::from(k) / parts;

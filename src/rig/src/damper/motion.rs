@@ -182,6 +182,7 @@ mod tests {
     }
 
     /// Returns time, input and state over the whole cycles at full amplitude, with `per_cycle` samples in each cycle.
+    /// `sharpen` divides the error tolerances of the integrator.
     fn simulate(damper: &Damper, point: &TestPoint, sharpen: f64, per_cycle: u32) -> Vec<(f64, Excitation, State)> {
         let drive = Drive::new(point);
         let input = |time: f64| {

@@ -13,8 +13,8 @@ struct Aeration {
     rest_n: f64,
     /// Polytropic exponent of the air bubbles.
     exponent: f64,
-    /// Length of both chambers at mid-stroke, m. `compression_share` is the ratio of air in the compression chamber to
-    /// air in the rebound chamber.
+    /// Length of each of the two oil chambers at mid-stroke, m. `compression_share` is the ratio of air in the
+    /// compression chamber to air in the rebound chamber.
     chamber_m: f64,
     compression_share: f64,
     /// Hydraulic force at which all air is dissolved, N.

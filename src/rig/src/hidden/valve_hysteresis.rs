@@ -18,7 +18,7 @@ struct ValveHysteresis {
     /// constant of the valve beyond the play, s.
     play_n: f64,
     follows_s: f64,
-    /// Force at [`BLEED_M_S`] in rebound and compression, N.
+    /// Valve force at the velocity [`BLEED_M_S`] in rebound and compression, N.
     bleed_n: [f64; 2],
     tolerances: Vec<f64>,
 }

@@ -5,17 +5,17 @@
 
 use crate::draw::Draw;
 
-/// Velocity near the last knot of a drawn curve, m/s.
+/// Approximate velocity of the last knot of a randomly drawn force-velocity curve, m/s.
 const TOP_M_S: f64 = 1.6;
 
-/// Flow over force in both directions.
+/// Flow through the valves as a function of force, in rebound and compression.
 #[derive(Debug, Clone)]
 pub(crate) struct ValveLaw {
     pub rebound: OneWay,
     pub compression: OneWay,
 }
 
-/// Flow over force in one direction; force, N, and flow, m/s, are magnitudes.
+/// Flow as a function of force in one direction. Force, N, and flow, as the piston velocity, m/s, are magnitudes.
 #[derive(Debug, Clone)]
 pub(crate) enum OneWay {
     /// A bleed (laminar and orifice in series) in parallel with a blow-off valve that opens near the force `lift_n`, N.
@@ -111,7 +111,8 @@ impl OneWay {
         let low_n = share * at_1_m_s_n;
         let laminar_n_s_m = laminar_share * low_n / 0.1;
         let orifice = (1.0 - laminar_share) * low_n / 0.01;
-        // A progressive valve consists of its bleed alone. Its two resistances add up to the force at 1 m/s.
+        // A progressive valve consists of its bleed alone, so the laminar and the orifice force add up to the drawn
+        // force at 1 m/s. The orifice force is at least a tenth of it.
         let orifice_n_s2_m2 =
             if style == Style::Progressive { (at_1_m_s_n - laminar_n_s_m).max(0.1 * at_1_m_s_n) } else { orifice };
         let lift_n = low_n * draw.between("lift", 0.8, 1.1);

@@ -396,7 +396,8 @@ fn groups_are_compared_with_one_reference() {
         std::fs::create_dir_all(&to).unwrap();
         for entry in std::fs::read_dir(dir.join("records")).unwrap() {
             let path = entry.unwrap().path();
-            // In group c the force is 30 % larger at every velocity. No effect is missing, but parameters differ.
+            // In group c the force is 30 % larger than in the other groups at every velocity. No effect is missing, but
+            // parameters differ.
             let text = std::fs::read_to_string(&path).unwrap();
             let heading = text.lines().find(|l| l.contains("force")).unwrap();
             let place = heading.split(',').position(|h| h.contains("force")).unwrap();
@@ -429,7 +430,8 @@ fn groups_are_compared_with_one_reference() {
     let changes = list(&groups[1]["diagnosis"], "changes");
     assert!(!changes.is_empty(), "{}", groups[1]["diagnosis"]["summary"]);
     for change in changes {
-        // Every force is 30 % larger; lengths and velocities are unchanged.
+        // Every changed parameter in N is 30 % larger in group c than in the reference. Lengths and velocities do not
+        // change with the force.
         let ratio = number(change, "value") / number(change, "reference");
         assert!(change["unit"] != "N" || (ratio - 1.3).abs() < 0.03, "{change}");
     }
@@ -510,7 +512,7 @@ fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
             std::fs::copy(path, to.join(path.file_name().unwrap())).unwrap();
         }
     }
-    // The list gives no batch for campaign b.
+    // The list gives no batch for campaign b, so the command reports its test as in no group.
     let few = ["--candidates", "channel_delay", "--max-effects", "0"];
     std::fs::write(dir.join("fleet.csv"), "campaign;serial;batch\nfleet/a;17;spring\nfleet/b;18;\nfleet/c;19;autumn\n")
         .unwrap();

@@ -102,7 +102,8 @@ fn a_family_is_fitted_validated_and_simulated() {
     let message = refused(dir, &["fit", "rig", "-o", "one.toml", "--report", "one.html"]);
     assert!(message.contains("--setting"), "{message}");
 
-    // The records contain no setting. Their true setting lies between the grid values of the model.
+    // The records contain no setting, so `validate` requires `--setting`. Their true setting lies between the grid
+    // values of the model.
     let message = refused(dir, &["validate", "family.toml", "between", "--json", "b.json"]);
     assert!(message.contains("--setting") && message.contains("4mm_12Hz"), "{message}");
     done(dir, &["validate", "family.toml", "between", "--setting", "0.9", "--json", "b.json"]);

@@ -17,7 +17,7 @@ fn measured(from: &Path, to: &Path, dated: bool) {
     let mut files: Vec<_> = std::fs::read_dir(from).unwrap().map(|e| e.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|e| e == "csv"));
     files.sort();
-    // The order in which the rig measured the files differs from the order of their names.
+    // The order of the start times differs from the order of the file names, so that a sort by name is detected.
     let count = files.len();
     for (k, path) in files.iter().enumerate() {
         let start = 720.0 * ((5 * k + 3) % count) as f64;

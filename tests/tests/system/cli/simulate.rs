@@ -91,7 +91,7 @@ fn numbers_of_an_element_that_is_off_are_told_by_every_verb() {
 fn the_force_is_the_kernels_to_the_bit() {
     let folder = folder();
     let dir = folder.path();
-    // The time steps are uneven.
+    // The time steps are uneven: 1.2, 1.2 and 0.6 ms in turn.
     let times: Vec<f64> = (0..600).map(|i| 1e-3 * f64::from(i) + 2e-4 * f64::from(i % 3)).collect();
     write(&dir.join("both.csv"), &["time_s", "displacement_m", "velocity_m_s"], times.iter().copied());
     let answered = forces(dir, &["both.csv"]);

@@ -287,7 +287,8 @@ fn its_sources_are_all_it_needs() {
             .env_remove("CARGO_TARGET_DIR")
             .env_remove("TARGET");
         if kernel.is_empty() {
-            // The variable PATH has the folders of the C compiler, and no cargo is available.
+            // The variable PATH has the folders of the C compiler, and no cargo is available, so the build must not
+            // need Rust.
             build.env("CARGO", "none").env("PATH", "/usr/bin:/bin");
         }
         succeed(&mut build);
@@ -348,7 +349,7 @@ fn the_runtime_for_windows_reads_its_resources() {
     for file in ["contents.txt", "model.toml"] {
         std::fs::copy(at.join("unpacked/resources").join(file), at.join("a folder").join(file)).expect("copied");
     }
-    // Wine's drive Z: is the root.
+    // Wine's drive Z: is the root of this computer's file system.
     let slashes = at.join("a folder").display().to_string();
     let backslashes = slashes.replace('/', "\\");
     for resources in [
