@@ -12,8 +12,8 @@ pub(super) const EFFECT: Effect = Effect {
 /// Temperature at which the effect vanishes, °C.
 const REFERENCE_C: f64 = 25.0;
 
-/// Viscosity μ by Andrade (Nature 125, 1930): ln μ = B/T + constant, with the coefficient B, K, and the temperature T,
-/// K. It acts in the viscosity-dependent passages of the valves.
+/// Viscosity μ by Andrade (Nature 125, 1930): ln μ = B/T + constant, with the coefficient B and the temperature T, both
+/// in K. It acts in the viscosity-dependent passages of the valves.
 struct Andrade {
     kelvin: f64,
 }

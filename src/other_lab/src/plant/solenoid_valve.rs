@@ -106,7 +106,8 @@ impl SolenoidValve {
         let [resistance, inductance] = self.coil;
         let wanted = resistance * command + self.gain * (command - y[CURRENT]);
         let voltage = wanted.min(self.supply[0]).max(-self.supply[1]);
-        // A diode prevents negative current, so a negative current of the integration decays within 0.1 ms.
+        // A diode prevents negative current, so a negative value due to an integration error decays with a time
+        // constant of 0.1 ms.
         let rate = (voltage - resistance * y[CURRENT]) / inductance;
         r[CURRENT] = if y[CURRENT] < 0.0 { -y[CURRENT] / 1e-4 } else { rate };
         r[FLUX] = (y[CURRENT] - y[FLUX]) / self.eddy;

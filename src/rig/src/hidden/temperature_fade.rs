@@ -17,11 +17,12 @@ const MOST_VISCOSITY: f64 = 50.0;
 struct Fade {
     form: usize,
     strength: f64,
-    /// B, K, and C, °C, of Vogel's law `ln mu = B / (T + C)` for the relative viscosity mu at the temperature T, °C.
+    /// B (in K) and C (in °C) of Vogel's law `ln mu = B / (T + C)` for the relative viscosity mu at the temperature T in °C.
     vogel: (f64, f64),
     /// A and M of Walther's law for the viscosity (ASTM D341).
     ///
-    /// The law is `lg lg (nu + 0.7) = A - M lg T`, with the viscosity nu in mm²/s and the temperature T in K. A and M follow from the viscosities at 40 and 100 °C.
+    /// The law is `lg lg (nu + 0.7) = A - M lg T`, with the viscosity nu in mm²/s and the temperature T in K. A and M
+    /// follow from the viscosities at 40 and 100 °C.
     walther: (f64, f64),
     /// Oil force at which half of the pressure drop is laminar, N.
     half_n: f64,
