@@ -51,8 +51,8 @@ pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
     std::fs::write(folder.join(format!("{place}-{name}")), whole).unwrap();
 }
 
-/// Words that often cause failures of file readers: limits of number types, addresses of the last cell of a worksheet, quotes, terminal
-/// escapes, characters outside ASCII.
+/// Words that often cause failures of file readers. They are limits of number types, addresses of the last cell of a worksheet, quotes,
+/// terminal escapes, and characters outside ASCII.
 const POISON: [&[u8]; 32] = [
     b"4294967295",
     b"18446744073709551615",

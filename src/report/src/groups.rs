@@ -86,7 +86,7 @@ const SIZE: [f64; 2] = [880.0, 400.0];
 const HUES: usize = 8;
 
 /// Draws the FV curves of all groups and of the reference in one figure. The curves include friction and gas force. The curve of a group
-/// covers the velocity range of the group's tests, and that of the reference the range of the first group that has a reference.
+/// covers the velocity range of the group's tests. The curve of the reference covers the range of the first group that has a reference.
 fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());

@@ -101,8 +101,8 @@ fn model(on: &[&str], set: &[(&str, f64)]) -> Params {
     params
 }
 
-/// Returns a round distance of grid lines for an axis from −`span` to `span`: `span` divided by five, rounded up to 1,
-/// 2 or 5 times a power of ten.
+/// Returns a round distance of grid lines for an axis from −`span` to `span`. It is `span` divided by five, rounded up
+/// to 1, 2 or 5 times a power of ten.
 fn grid(span: f64) -> f64 {
     let rough = span / 5.0;
     let power = 10f64.powf(rough.log10().floor());

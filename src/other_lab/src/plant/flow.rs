@@ -3,7 +3,7 @@
 use crate::draw::Draw;
 
 /// Computes the flow w through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0. Here, h is the
-/// hydraulic force, N, and w the flow as a piston velocity, m/s. a, N s/m, and b, N s²/m², are the resistances.
+/// hydraulic force, N, and w the flow as a piston velocity, m/s. The resistances are a, N s/m, and b, N s²/m².
 ///
 /// (Merritt, Hydraulic Control Systems, 1967.)
 pub fn passage(h: f64, a: f64, b: f64) -> f64 {

@@ -32,8 +32,8 @@ impl Fluid {
         self.oil + f64::from(self.air_is_felt) * air + f64::from(self.void_is_felt) * (at(p) - air)
     }
 
-    /// Removes the compressibility of a part of the physics: that of oil and air, that of the air above 1 bar, or that
-    /// of voids below 1 bar.
+    /// Removes the compressibility of a part of the physics. The part is oil with its air, the air above 1 bar, or the
+    /// voids below 1 bar.
     pub fn remove(&mut self, part: Part) {
         match part {
             Part::OilCompressibility => {

@@ -19,8 +19,8 @@ pub const STAGE: usize = 5;
 /// Number of states of the valve.
 pub const STATES: usize = 6;
 
-/// Error tolerance per step of each state: current, A, flux as a current, A, spool position, m, and velocity, m/s,
-/// bristle deflection, m, stage position, m.
+/// Error tolerance per step of each state, in the unit of the state. The states are current (A), flux as a current (A),
+/// spool position (m), spool velocity (m/s), bristle deflection (m) and stage position (m).
 pub const TOLERANCES: [f64; STATES] = [2e-4, 2e-4, 2e-7, 2e-4, 2e-9, 2e-7];
 
 /// Stiffness of the stops of the spool, N/m.

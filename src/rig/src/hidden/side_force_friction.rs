@@ -6,8 +6,8 @@ use crate::neutral::Here;
 const FORMS: &[&str] = &["saturating", "two_bushes"];
 
 enum SideFriction {
-    /// Friction `mu (sqrt(Fs² + F0²) - F0) / (1 + Fs / Fl)`, N, at the side force Fs. mu is `share`, F0 the onset force
-    /// `onset_n`, N, and Fl the force `level_n` of saturation, N.
+    /// Friction `mu (sqrt(Fs² + F0²) - F0) / (1 + Fs / Fl)`, N, at the side force Fs, N. The coefficient mu is `share`.
+    /// F0 is the onset force `onset_n`, N, and Fl the force `level_n` of saturation, N.
     Saturating { share: f64, onset_n: f64, level_n: f64 },
     /// Friction of the reaction forces in rod guide and piston band. Their distance, at mid-stroke `overlap_m`,
     /// decreases with extension.

@@ -17,7 +17,7 @@ const MOST_VISCOSITY: f64 = 50.0;
 struct Fade {
     form: usize,
     strength: f64,
-    /// B (in K) and C (in °C) of Vogel's law `ln mu = B / (T + C)`. mu is the relative viscosity at the temperature T in °C.
+    /// B (in K) and C (in °C) of Vogel's law `ln mu = B / (T + C)`. The relative viscosity mu is that at the temperature T, °C.
     vogel: (f64, f64),
     /// A and M of Walther's law for the viscosity (ASTM D341).
     ///

@@ -105,8 +105,8 @@ fn gaps_stubs_and_strays_are_named() {
     assert!(told.code == Some(0) && told.err.contains("holds the same samples as"), "{told:?}");
 }
 
-/// Fault of a single record: its name, a function that makes each row from the index and values of a valid row, and a
-/// text of the message. `None` omits the row.
+/// Fault of a single record: its name, a function that makes each row, and a text of the message. The function gets the
+/// index and the values of a valid row; `None` omits the row.
 type Fault = (&'static str, fn(usize, [f64; 4]) -> Option<String>, &'static str);
 
 const FAULTS: [Fault; 7] = [

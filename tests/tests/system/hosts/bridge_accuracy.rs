@@ -99,8 +99,8 @@ const MODELS: [(&str, &str); 19] = [
     ("moving_mass", ""),
 ];
 
-/// Checks that the accuracy that the kernel guarantees at 1 ms holds at every host step: relative to the largest force,
-/// 0.1 % rms and at most 1 %.
+/// Checks that the accuracy that the kernel guarantees at 1 ms holds at every host step. The error relative to the
+/// largest force is below 0.1 % rms and 1 % at most.
 #[test]
 fn every_host_step_is_as_exact_as_the_kernels_table_says() {
     let folder = tempfile::tempdir().expect("a directory");
