@@ -1,4 +1,5 @@
-//! Builds the library for Adams as it ships, and runs it in a stand-in solver that loads the library as Adams does.
+//! Builds the dashpot library for Adams as it ships, and runs it in a stand-in solver (`tests/adams/solver.c`) that
+//! loads the library as Adams does.
 
 use crate::library::{root, static_library, succeed};
 use dashpot_core::{Input, Model, Params, model_file, step};
@@ -7,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Returns the folder of this process's builds.
+/// Returns the temporary folder in which this process builds libraries and programs.
 fn folder() -> &'static Path {
     static FOLDER: OnceLock<tempfile::TempDir> = OnceLock::new();
     FOLDER.get_or_init(|| tempfile::tempdir().expect("a directory")).path()
@@ -29,14 +30,15 @@ fn built(name: &str, flags: &str) -> PathBuf {
     target
 }
 
-/// Compiles the stand-in solver's object files with further compiler `flags`.
+/// Compiles the sources of the stand-in solver with further compiler `flags`, and returns the paths of the object
+/// files.
 fn objects(flags: &[&str]) -> Vec<PathBuf> {
     ["solver", "dataset", "expression"]
         .iter()
         .map(|name| {
             let object = folder().join(format!("{name}{}.o", flags.concat()));
-            // Tests run in parallel. Each test builds in its own folder and then moves the file, so that no other test
-            // reads an incomplete file.
+            // Tests run in parallel. Each test compiles in its own folder and then moves the object file, so that no
+            // other test reads an incomplete file.
             let build = tempfile::Builder::new().tempdir_in(folder()).expect("a directory");
             let built = build.path().join("object.o");
             let mut compiler = compiler();
@@ -107,7 +109,7 @@ pub fn solver_without(utility: &str) -> PathBuf {
     linked(&format!("solver-without-{utility}"), &[], plain_objects(), &[export])
 }
 
-/// Time point that the solver has accepted, in the units s, mm and N.
+/// Time point that the stand-in solver has accepted, in the units s, mm and N.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Accepted {
     /// Time, s.
@@ -116,7 +118,7 @@ pub struct Accepted {
     pub x: f64,
     /// Velocity, mm/s, extension positive.
     pub v: f64,
-    /// Value of the SFORCE, N, negative if the damper is in tension.
+    /// Value of the SFORCE (Adams's single-component force), N, negative if the damper is in tension.
     pub sforce: f64,
 }
 
@@ -136,12 +138,12 @@ impl Run {
         lines.map(|l| l.split(' ').map(|n| n.parse().expect("a number")).collect()).collect()
     }
 
-    /// Returns the accepted time points.
+    /// Returns the accepted time points of the run.
     pub fn accepted(&self) -> Vec<Accepted> {
         self.lines_of("at").iter().map(|n| Accepted { t: n[0], x: n[1], v: n[2], sforce: n[3] }).collect()
     }
 
-    /// Returns the eight results of the REQUEST at the last accepted time point.
+    /// Returns the eight results of the library's REQUEST subroutine at the last accepted time point.
     pub fn request(&self) -> Vec<f64> {
         self.lines_of("request")[0].clone()
     }
@@ -153,18 +155,19 @@ impl Run {
     }
 
     /// Returns the largest difference between the partial derivatives that the library supplies and finite differences.
-    /// It is relative to the largest entry in the row of the Jacobian, and 0 without the argument `partials=2`.
+    /// The difference is relative to the largest entry in the row of the Jacobian, and 0 without the argument
+    /// `partials=2`.
     pub fn partials_off(&self) -> f64 {
         self.lines_of("partials_off")[0][0]
     }
 
-    /// Returns the last partial derivative of the force with respect to the VARIABLE that holds the damper's setting,
-    /// in units of the solver's model. Returns 0 without such a VARIABLE.
+    /// Returns the last partial derivative of the force with respect to the Adams VARIABLE that contains the damper's
+    /// setting, in units of the solver's model. Returns 0 without such a VARIABLE.
     pub fn by_variable(&self) -> f64 {
         self.lines_of("by_variable")[0][0]
     }
 
-    /// Returns one row for each case of a GFORCE between two bodies in space.
+    /// Returns one row for each case of a GFORCE (Adams's general force) between two bodies in space.
     ///
     /// A row has the positions of both ends (6 numbers, mm), their velocities (6, mm/s) and the guide force (3, N).
     /// Then it has the force on marker I (3, N), the sum of the moment's absolute components, and the relative error of
@@ -173,7 +176,7 @@ impl Run {
         self.lines_of("space")
     }
 
-    /// Returns the end times of a command file's simulations, with the accepted time points of each.
+    /// Returns the end time, s, and the accepted time points of each simulation in a command file.
     pub fn simulations(&self) -> Vec<(f64, Vec<Accepted>)> {
         let parts = self.text.split("simulation ").skip(1);
         let one = |part: &str| {
@@ -183,8 +186,8 @@ impl Run {
         parts.map(one).collect()
     }
 
-    /// Returns two sums of forces and state derivatives for each thread: computed alone, and computed in parallel with
-    /// the other threads.
+    /// Returns two sums of forces and state derivatives for each thread. The first is computed by the thread alone, the
+    /// second in parallel with the other threads.
     pub fn threads(&self) -> Vec<(f64, f64)> {
         self.lines_of("thread").iter().map(|n| (n[0], n[1])).collect()
     }
@@ -200,8 +203,8 @@ impl Run {
     }
 }
 
-/// Runs the library in a stand-in solver: `routine` is one of [`ROUTINES`], and `settings` are further arguments of the
-/// solver.
+/// Runs the Adams library in a stand-in solver: `routine` is one of [`ROUTINES`], and `settings` are further arguments
+/// of the solver.
 pub fn run(solver: &Path, routine: &str, settings: &[String]) -> Run {
     run_library(solver, library(), routine, settings)
 }
@@ -230,14 +233,14 @@ pub const FULL_STATES: u32 = 3;
 /// Arguments of the stand-in solver for the user subroutines that compute a force: GSESUB, SFOSUB and GFOSUB.
 pub const ROUTINES: [&str; 3] = ["gse", "sfo", "gfo"];
 
-/// Builds the kernel's model from a model file.
+/// Builds the kernel's model from the text of a model file.
 pub fn model_of(text: &str) -> Model {
     let mut params = Params::new();
     model_file::read(text.as_bytes(), &mut params).unwrap();
     Model::new(&params).unwrap()
 }
 
-/// Writes a model file into a folder.
+/// Writes the text of a model file into a folder as `damper.toml`, and returns its path.
 pub fn written(folder: &Path, text: &str) -> PathBuf {
     let path = folder.join("damper.toml");
     std::fs::write(&path, text).unwrap();
@@ -251,7 +254,7 @@ pub fn with(path: &Path, more: &[&str]) -> Vec<String> {
     settings
 }
 
-/// Runs the library in a stand-in solver and asserts that no user subroutine stops the run.
+/// Runs the Adams library in a stand-in solver and asserts that no user subroutine stops the run.
 pub fn started(solver: &Path, routine: &str, settings: &[String]) -> Run {
     let run = run(solver, routine, settings);
     assert_eq!(run.code, Some(0), "{routine} {settings:?}: {}", run.text);
@@ -272,10 +275,10 @@ impl Surroundings {
     pub const NONE: Surroundings = Surroundings { side_force: 0.0, temperature: 20.0 };
 }
 
-/// Computes the SFORCE, N, with the kernel at the accepted time points of a rig run. The steps are so short that the
-/// force has converged.
+/// Computes the expected SFORCE, N, with the kernel at the accepted time points of a rig simulation. The kernel's steps
+/// are so short that the force has converged.
 ///
-/// The displacement is a sine with `amplitude` in mm and `frequency` in Hz, and begins at its minimum.
+/// The displacement is a harmonic with `amplitude` in mm and `frequency` in Hz, and begins at its minimum.
 pub fn kernel(model: &Model, accepted: &[Accepted], amplitude: f64, frequency: f64, around: Surroundings) -> Vec<f64> {
     let w = TAU * frequency;
     let longest = (0.05 / frequency / 1000.0).min(2e-5).max(2e-5 / frequency.min(1.0) / 10.0);

@@ -1,4 +1,4 @@
-//! Sources of the simulator bridge, and host programs compiled with them.
+//! C sources of the bridge to vehicle simulators (`vi-crt-bridge`), and host programs compiled with them.
 
 use crate::library::Language::C;
 use crate::library::{Linkage, host, root};
@@ -21,8 +21,8 @@ pub fn sources(folder: &str) -> Vec<String> {
     sources
 }
 
-/// Compiles `tests/hosts/<source>` with the sources of the bridge and further compiler `flags`, in the folder `to`.
-/// Returns the path of the program.
+/// Compiles the host program `tests/hosts/<source>` with the sources of the bridge and further compiler `flags`, in the
+/// folder `to`. Returns the path of the program.
 pub fn bridge_host(source: &str, flags: &[&str], to: &Path) -> PathBuf {
     let include = format!("-I{}", root().join("vi-crt-bridge/bridge").display());
     let sources = sources("bridge");
@@ -33,7 +33,7 @@ pub fn bridge_host(source: &str, flags: &[&str], to: &Path) -> PathBuf {
 }
 
 /// Writes the channel map of VI-CarRealTime into `folder` and returns its path. The copy names the user-defined force
-/// channel, which the shipped map leaves empty.
+/// channel, which is empty in the shipped map.
 pub fn map(folder: &Path) -> PathBuf {
     let path = root().join("vi-crt-bridge/maps/vi-carrealtime.toml");
     let text = std::fs::read_to_string(path).expect("the map");

@@ -1,4 +1,4 @@
-//! The command `dashpot`, and campaigns to run it on.
+//! Functions that run the command-line program `dashpot`, and that make campaigns as its input.
 
 use crate::library::{root, succeed};
 use dashpot_test_support::profile_folder;
@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Returns the path of the command, built once per process with the profile of these tests.
+/// Returns the path of the program `dashpot`, built once per process with the cargo profile of these tests.
 pub fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(|| {
@@ -16,10 +16,10 @@ pub fn program() -> &'static Path {
     })
 }
 
-/// Builds the command in the profile of the tests, so that most crates are not compiled again.
+/// Builds the program `dashpot` with the cargo profile of the tests, so that most crates are not compiled again.
 ///
-/// A command in the release profile therefore unwinds on a panic, like the tests, whereas the shipped command aborts.
-/// The build names no package, so that the features are those of the whole workspace.
+/// A program built with the release profile therefore unwinds on a panic, like the tests, whereas the shipped program
+/// aborts. The build names no package, so that the features are those of the whole workspace.
 pub fn build_program() {
     let mut build = Command::new(env!("CARGO"));
     let profile = profile_folder().file_name().map_or_else(String::new, |name| name.to_string_lossy().into_owned());
@@ -30,7 +30,7 @@ pub fn build_program() {
     succeed(build.current_dir(root()));
 }
 
-/// Result of a run of the command.
+/// Result of a run of the program `dashpot`.
 #[derive(Debug)]
 pub struct Ran {
     /// Exit code.
@@ -41,15 +41,15 @@ pub struct Ran {
     pub err: String,
 }
 
-/// Runs the command in `folder`. It must not panic, and must exit with 0 or 2, or with 1 if `--limits` or `--strict` is
-/// among the arguments.
+/// Runs `dashpot` in `folder`. The program must not panic. It must exit with 0 or 2, or with 1 if `--limits` or
+/// `--strict` is among the arguments.
 ///
-/// Code 1 means that a damper violates its limits, or that it chatters in a verb that checks for chatter.
+/// Exit code 1 means that a damper violates its limits, or that it chatters in a subcommand that checks for chatter.
 pub fn run(folder: &Path, args: &[&str]) -> Ran {
     run_with(folder, args, &[])
 }
 
-/// Runs the command like [`run`], with additional environment variables.
+/// Runs `dashpot` with additional environment variables, and checks its exit code as [`run`] does.
 pub fn run_with(folder: &Path, args: &[&str], environment: &[(&str, &str)]) -> Ran {
     let mut command = Command::new(program());
     command.args(args).current_dir(folder).envs(environment.iter().copied());
@@ -65,14 +65,14 @@ pub fn run_with(folder: &Path, args: &[&str], environment: &[(&str, &str)]) -> R
     ran
 }
 
-/// Runs the command in `folder`. The command must succeed. Returns its standard output.
+/// Runs `dashpot` in `folder`. The program must succeed. Returns its standard output.
 pub fn done(folder: &Path, args: &[&str]) -> String {
     let ran = run(folder, args);
     assert_eq!(ran.code, Some(0), "{args:?}: {}", ran.err);
     ran.out
 }
 
-/// Runs the command in `folder`. The command must reject its input with a message on standard error and change no file.
+/// Runs `dashpot` in `folder`. The program must reject its input with a message on standard error and change no file.
 /// Returns the message.
 pub fn refused(folder: &Path, args: &[&str]) -> String {
     let before = contents(folder);
@@ -111,8 +111,8 @@ pub fn number(value: &Value, key: &str) -> f64 {
     value[key].as_f64().unwrap_or_else(|| panic!("no number {key} in {value}"))
 }
 
-/// Measures a small campaign on the virtual rig: amplitudes of 50, 15 and 1 mm, and slow tests. The records are in
-/// `records` below `folder`.
+/// Makes the records of a small campaign on the virtual rig: amplitudes of 50, 15 and 1 mm, and slow tests. The records
+/// are in `records` below `folder`.
 pub fn small_campaign(folder: &Path) {
     done(folder, &["matrix", "--amplitudes", "50,15,1", "--peak-velocities", "52,262,1047", "-o", "small.csv"]);
     done(folder, &["rig", "-o", "records", "--matrix", "small.csv", "--seed", "3"]);
@@ -121,12 +121,13 @@ pub fn small_campaign(folder: &Path) {
 /// Header of the records in [`campaign_folder`].
 pub const HEADER: &str = "time_s,displacement_m,velocity_m_s,force_N";
 
-/// Formats a row of a record under [`HEADER`].
+/// Formats a row of a record in the columns of [`HEADER`].
 pub fn row(r: [f64; 4]) -> String {
     r.map(|v| format!("{v:.9}")).join(",")
 }
 
-/// Makes a folder with the records of [`small_campaign`] in `records`. They are measured once per process and copied.
+/// Makes a folder with the records of [`small_campaign`] in `records`. The campaign is simulated once per process, and
+/// its records are copied.
 pub fn campaign_folder() -> tempfile::TempDir {
     static RECORDS: OnceLock<tempfile::TempDir> = OnceLock::new();
     let measured = RECORDS.get_or_init(|| {
@@ -139,7 +140,7 @@ pub fn campaign_folder() -> tempfile::TempDir {
     folder
 }
 
-/// Reads header and rows of a record or a result.
+/// Reads header and rows of a record or of a result in CSV.
 pub fn table(path: &Path) -> (Vec<String>, Vec<Vec<f64>>) {
     let mut reader = csv::Reader::from_path(path).unwrap_or_else(|error| panic!("{}: {error}", path.display()));
     let header = reader.headers().expect("a header").iter().map(String::from).collect();

@@ -1,11 +1,11 @@
 //! A strict reader of the Adams dataset and command files that the exports write.
 //!
-//! The reader accepts only the statements of the exports, and resolves every id.
+//! The reader accepts only the kinds of statements that the exports write, and resolves every id.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Argument of a statement: a word alone, or a key with its value. A function expression is the value of the key
-/// `FUNCTION`.
+/// Argument of a statement in a dataset: a word alone, or a key with its value. A function expression is the value of
+/// the key `FUNCTION`.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Argument {
     /// A word alone.
@@ -26,7 +26,7 @@ enum Kind {
     Numbers(usize),
     /// A list of at least four numbers.
     List,
-    /// The id of an element of this type.
+    /// The id of an element of this type, such as MARKER.
     Id(&'static str),
     /// Text of any form.
     Text,
@@ -36,8 +36,7 @@ enum Kind {
     Routine,
 }
 
-/// Returns the grammar of a statement: how many of its first arguments are required, and all arguments that are
-/// allowed.
+/// Returns the grammar of a statement: the number of required arguments at its start, and all allowed arguments.
 fn grammar(name: &str) -> (usize, &'static [(&'static str, Kind)]) {
     use Kind::{Function, Id, List, Numbers, Routine, Text, Word};
     match name {
@@ -96,7 +95,7 @@ fn joined(text: &str) -> Vec<String> {
     all
 }
 
-/// Splits the arguments of a statement at commas and line feeds outside of functions.
+/// Splits the arguments of a statement at commas and line feeds outside of function expressions.
 fn arguments(text: &str) -> Vec<Argument> {
     let mut all: Vec<Argument> = Vec::new();
     let mut rest = text;
@@ -104,7 +103,7 @@ fn arguments(text: &str) -> Vec<Argument> {
         let trimmed = rest.trim_start_matches([' ', ',', '\n']);
         if let Some(function) = trimmed.strip_prefix("FUNCTION") {
             let function = function.trim_start().strip_prefix('=').expect("FUNCTION =");
-            // A function must be the last argument, or end with a backslash at the end of its line.
+            // A function expression must be the last argument, or end with a backslash at the end of its line.
             let (function, after) = function.split_once('\\').unwrap_or((function, ""));
             assert!(after.is_empty() || after.starts_with('\n'), "behind a function: {after}");
             all.push(Argument::Value("FUNCTION".into(), function.replace('\n', "").trim().into()));
@@ -128,7 +127,7 @@ fn arguments(text: &str) -> Vec<Argument> {
     all
 }
 
-/// Returns the ids of the markers in the functions DM and VR of an expression.
+/// Returns the ids of the markers in the functions DM (distance) and VR (relative velocity) of an expression.
 fn markers_of(function: &str) -> Vec<u64> {
     let mut all = Vec::new();
     for name in ["DM(", "VR("] {
@@ -140,8 +139,8 @@ fn markers_of(function: &str) -> Vec<u64> {
     all
 }
 
-/// Reads a dataset. If `whole` is true, the text must be a model with title, units and END, otherwise a fragment.
-/// `others` are marker ids of the model around a fragment.
+/// Reads a dataset. If `whole` is true, the text must be a complete model with title, units and END, otherwise a
+/// fragment of a model. `others` are ids of markers in the rest of this model.
 pub fn read(text: &str, whole: bool, others: &[u64]) -> Dataset {
     let mut all = Dataset::new();
     let mut statements = joined(text);
@@ -254,7 +253,7 @@ pub enum Command {
     Dynamics(f64, usize),
 }
 
-/// Reads a command file. Returns the names of model and output, and the commands before STOP.
+/// Reads an Adams command file. Returns the names of model and output, and the commands before STOP.
 pub fn commands(text: &str) -> (String, String, Vec<Command>) {
     let mut lines = text.lines();
     let [model, output] = [lines.next(), lines.next()].map(|l| l.expect("a name").to_string());

@@ -1,6 +1,6 @@
-//! Evaluation of Adams function expressions. The caller supplies all functions except SQRT, ABS and SIGN.
+//! Parser and evaluation of Adams function expressions. The caller supplies all functions except SQRT, ABS and SIGN.
 
-/// Callback that returns the value of a function for its arguments.
+/// Callback that returns the value of a function of an expression for its name and arguments.
 pub type Call<'a> = &'a dyn Fn(&str, &[f64]) -> f64;
 
 /// A parsed expression for repeated evaluation.
@@ -105,7 +105,7 @@ impl Reader<'_> {
     fn atom(&mut self) -> Term {
         if self.take('-') {
             // A power has precedence over a sign: -2**2 is -4. In Adams, a product also has precedence over a sign. In
-            // this parser it has not, but the values are equal.
+            // this parser, a sign has precedence over a product, but the values are equal.
             return Term::Negative(Box::new(self.power()));
         }
         if self.take('(') {

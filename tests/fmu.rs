@@ -1,4 +1,4 @@
-//! FMUs that tests export.
+//! Functions that export FMUs (Functional Mock-up Units) for tests.
 
 use crate::cli::{build_program, done, program, run};
 use crate::library::{directory, root, succeed};
@@ -6,9 +6,9 @@ use std::path::Path;
 use std::process::Command;
 use std::sync::OnceLock;
 
-/// Ensures that the command contains the FMU runtime and the Adams library.
+/// Ensures that the program `dashpot` contains the FMU runtime and the Adams library.
 ///
-/// If the command lacks them, they are compiled and the command is rebuilt.
+/// If the program lacks them, they are compiled and the program is rebuilt.
 pub fn runtimes() {
     static HELD: OnceLock<()> = OnceLock::new();
     HELD.get_or_init(|| {
@@ -23,7 +23,7 @@ pub fn runtimes() {
         assert!(holds_none, "{}", ran.err);
         succeed(Command::new("sh").arg(root().join("vi-crt-bridge/runtimes.sh")).env(
             "DASHPOT_RUNTIMES",
-            // The path of the command is target/<profile>/dashpot.
+            // The path of the program is target/<profile>/dashpot.
             program().ancestors().nth(2).expect("a target directory").join("runtimes"),
         ));
         build_program();
@@ -31,10 +31,10 @@ pub fn runtimes() {
     });
 }
 
-/// Writes the model file `text` into the folder `at` and exports it as `damper.fmu` next to it. The FMU has four
-/// corners if `four` is true, and otherwise one.
+/// Writes the model file `text` into the folder `at` and exports it as `damper.fmu` into this folder. The FMU has the
+/// dampers of four corners if `four` is true, and otherwise of one corner.
 pub fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
-    // If the command compiles the FMU from source, it needs the static library in its own folder.
+    // If the program compiles the FMU from source, the static library must be in the folder of the program.
     directory();
     runtimes();
     std::fs::write(at.join("model.toml"), text).expect("a model file");
@@ -44,7 +44,7 @@ pub fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
     done(at, &export);
 }
 
-/// Expands to one test per kind of FMU: both versions of FMI, with one corner and with four.
+/// Expands to one test per kind of FMU: FMI 2 and FMI 3, each with the damper of one corner and with those of four.
 #[macro_export]
 macro_rules! each_fmu {
     ($runs:ident) => {

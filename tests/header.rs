@@ -1,8 +1,8 @@
-//! Generates the C header from the sources of the C interface.
+//! Generates the C header `include/dashpot.h` from the sources of the C interface.
 //!
-//! `cbindgen` translates one source file at a time, so that the header keeps the order of a manual. Every file is a
-//! section, introduced by its module documentation. Parts that exist only in C (guards, initializers) come from
-//! `src/abi/header/`. The last section is the printed list of the parameters.
+//! `cbindgen` translates one source file at a time, so that the header keeps the order of a manual. Every source file
+//! gives a section, which begins with the file's module documentation. Parts that exist only in C (guards,
+//! initializers) come from `src/abi/header/`. The last section is a list of the parameters.
 
 use dashpot_core::parameter::{Element, Parameter, Params, Shape};
 use std::path::{Path, PathBuf};
@@ -13,15 +13,15 @@ use dashpot_core::parameter::{GROUPS, names};
 /// Sections of the header in order, named by the source files in `src/abi/src`.
 const SECTIONS: [&str; 11] =
     ["lib", "version", "status", "params", "model", "input", "state", "step", "partials", "evaluate", "setting"];
-/// Section of the functions that read the parameter table. The printed list of the parameters follows it.
+/// Section of the functions that read the parameter table. The list of the parameters follows this section.
 const TABLE: &str = "table";
 
-/// Returns the path of the header.
+/// Returns the path of the C header.
 pub fn path() -> PathBuf {
     root().join("include/dashpot.h")
 }
 
-/// Generates the text of the header.
+/// Generates the text of the C header.
 pub fn text() -> String {
     let mut header = String::from(
         "// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test source abi_header`; do not edit.\n\n",
@@ -107,7 +107,7 @@ fn translated(section: &str) -> String {
     lines.collect::<String>() + "\n"
 }
 
-/// Formats the list of all parameters as text.
+/// Formats the list of all parameters of the model as text for the C header.
 fn parameters() -> String {
     let defaults = Params::new();
     let mut text = String::from("Names for dashpot_params_set(), dashpot_params_set_list() and model files.\n");
@@ -134,8 +134,8 @@ fn parameters() -> String {
     text
 }
 
-/// Formats the bounds of a parameter or of each list entry, for the header and the parameter page. The setter enforces
-/// these bounds.
+/// Formats the bounds of a parameter, or of each entry of a list, for the C header and the parameter page of the book.
+/// The setter enforces these bounds.
 pub fn bounds(p: &Parameter) -> String {
     format!("{} to {}", short(p.low), short(p.high))
 }

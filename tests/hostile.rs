@@ -1,4 +1,4 @@
-//! Reproducible damage to files, of kinds that often break readers.
+//! Reproducible random damage to files, of kinds that often cause failures of file readers.
 //!
 //! `src/records/tests/hostile.rs` includes this file to damage records.
 
@@ -15,7 +15,8 @@ impl Random {
     }
 }
 
-/// Returns the number of damaged files of a test: `usual`, multiplied by the environment variable DASHPOT_HOSTILE in long runs.
+/// Returns the number of damaged files of a test: `usual`, multiplied by the environment variable DASHPOT_HOSTILE if it is set for a long
+/// run.
 ///
 /// # Panics
 /// If the variable is not a number.
@@ -25,8 +26,8 @@ pub fn rounds(usual: usize) -> usize {
 
 /// Stores a valid file for the fuzzer (`tests/fuzz`) in the folder that the environment variable DASHPOT_SEEDS names.
 ///
-/// One target of the fuzzer reads all small tables and selects the reader by the first byte, so this byte is put before a table. `place`
-/// makes the file's name unique. Without the variable, nothing is stored.
+/// One target of the fuzzer reads all small tables and selects the reader by the first byte. The function writes this byte before a table.
+/// `place` makes the file's name unique. Without the variable, nothing is stored.
 ///
 /// # Panics
 /// If the folder is not writable.
@@ -50,8 +51,8 @@ pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
     std::fs::write(folder.join(format!("{place}-{name}")), whole).unwrap();
 }
 
-/// Words that often break readers: limits of number types, addresses of the last cell of a worksheet, quotes, terminal escapes, characters
-/// outside ASCII.
+/// Words that often cause failures of file readers. They are limits of number types, addresses of the last cell of a worksheet, quotes,
+/// terminal escapes, and characters outside ASCII.
 const POISON: [&[u8]; 32] = [
     b"4294967295",
     b"18446744073709551615",
@@ -87,8 +88,8 @@ const POISON: [&[u8]; 32] = [
     b"[[[[[[[[[[[[[[[[",
 ];
 
-/// Damages a file in one to three positions. Changes bytes, truncates, inserts words of `POISON`, overwrites bytes with
-/// such words, repeats or removes parts.
+/// Damages the bytes of a file in one to three positions. Changes bytes, truncates the file, inserts words of `POISON`, overwrites bytes
+/// with such words, repeats or removes parts.
 pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
     for _ in 0..=random.below(3) {
         let at = random.below(bytes.len());
@@ -121,7 +122,7 @@ pub fn mutate(random: &mut Random, bytes: &mut Vec<u8>) {
 /// Damages words or lines of a text in one to three positions.
 ///
 /// Unexpected numbers replace numbers, words replace other words, and lines are repeated, removed or exchanged. The result still resembles
-/// a valid file, so it gets further through a parser than a file with damaged bytes.
+/// a valid file, so a parser processes more of it than of a file with damaged bytes.
 pub fn mutate_text(random: &mut Random, text: &mut String) {
     const NUMBERS: [&str; 18] = [
         "0",

@@ -1,4 +1,4 @@
-//! Synthetic campaigns whose exact parameters are known. The kernel simulates them with steps shorter than the sample
+//! Synthetic campaigns of dampers with known parameters. The kernel simulates them with steps shorter than the sample
 //! interval.
 
 use dashpot_core::number;
@@ -7,7 +7,8 @@ use dashpot_core::{Input, Model, Params, State, evaluate, step};
 use dashpot_records::{Noise, Record};
 use std::f64::consts::TAU;
 
-/// Random number generator xorshift64*, written here so that the data do not change with the version of a library.
+/// Random number generator xorshift64*. It is part of the project, so that the data do not change with the version of a
+/// library.
 pub struct Random(u64);
 
 impl Random {
@@ -28,7 +29,7 @@ impl Random {
         (self.0.wrapping_mul(0x2545_F491_4F6C_DD1D) >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Draws a normal number with standard deviation 1.
+    /// Draws a normally distributed number with mean 0 and standard deviation 1.
     pub fn normal(&mut self) -> f64 {
         (-2.0 * (1.0 - self.uniform()).ln()).sqrt() * (TAU * self.uniform()).cos()
     }
@@ -73,7 +74,7 @@ pub struct Sine {
     pub frequency: f64,
     /// Mean displacement, m.
     pub mean: f64,
-    /// Side force, N, if the rig records it.
+    /// Side force, N; `None` if the record has no channel of side force.
     pub side_force: Option<f64>,
 }
 
@@ -84,13 +85,13 @@ impl Sine {
     }
 }
 
-/// Whole cycles of each record.
+/// Number of whole cycles of each record.
 const CYCLES: usize = 3;
-/// Kernel steps per sample.
+/// Number of kernel steps per sample interval.
 const FINER: usize = 4;
 
-/// Simulates three cycles of every test. White noise with a standard deviation of `noise` times the test's root mean
-/// square force is added to the force.
+/// Simulates three cycles of every test with a damper's parameters. The force has white noise with a standard deviation
+/// of `noise` times the test's root mean square force.
 pub fn campaign(params: &Params, tests: &[Sine], seed: u64, noise: f64) -> Vec<Record> {
     let model = Model::new(params).unwrap();
     let mut random = Random::new(seed);
@@ -103,7 +104,7 @@ fn record(model: &Model, k: usize, test: &Sine, noise: f64, random: &mut Random)
     let count = CYCLES * per_cycle + 1;
     let w = TAU * test.frequency;
     let motion = |t: f64| (test.mean - test.amplitude * (w * t).cos(), test.amplitude * w * (w * t).sin());
-    // Cycles begin where the rising displacement passes its mean.
+    // The record begins where the rising displacement passes its mean, so the cycles do, too.
     let start = 0.25 / test.frequency;
     let input = |t: f64| {
         let (x, v) = motion(t);

@@ -1,4 +1,4 @@
-//! Code shared by the whole-system tests.
+//! Code that the tests of the whole system share.
 
 pub mod adams;
 pub mod bridge;

@@ -1,11 +1,11 @@
-//! Builds the C library as it ships, and host programs that link it.
+//! Builds the C library `libdashpot` as it ships, and host programs that link it.
 
 use dashpot_test_support::{profile_folder, target_folder};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::sync::OnceLock;
 
-/// Language and compiler of a host.
+/// Language and compiler of a host program.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     /// C99, by `$CC` or gcc.
@@ -14,7 +14,7 @@ pub enum Language {
     Cxx,
 }
 
-/// Library that a host links.
+/// Library that a host program links.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Linkage {
     /// `libdashpot.so`.
@@ -23,7 +23,7 @@ pub enum Linkage {
     Static,
 }
 
-/// Returns the root of the project.
+/// Returns the root folder of the project.
 pub fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).parent().expect("the project's root").to_path_buf()
 }
@@ -40,8 +40,8 @@ pub fn directory() -> &'static Path {
         std::fs::create_dir_all(&packed).expect("a folder of the target");
         pack(&release.join("libdashpot.a"), &packed.join("libdashpot.a"), "");
         if release != profile_folder() {
-            // The command uses the library in its own folder. Cargo's file there is a hard link, so overwriting it
-            // would change another file of cargo. Replace cargo's file by a copy instead.
+            // The program `dashpot` uses the library in its own folder. Cargo's file of this name is a hard link, so
+            // overwriting it would change another file of cargo. Therefore, a copy replaces the link.
             let mut copy = tempfile::NamedTempFile::new_in(profile_folder()).expect("room beside the command");
             let mut library = std::fs::File::open(static_library_in(&packed)).expect("the library");
             std::io::copy(&mut library, &mut copy).expect("room beside the command");
@@ -55,7 +55,8 @@ fn static_library_in(folder: &Path) -> PathBuf {
     folder.join("libdashpot.a")
 }
 
-/// Packs cargo's static library as for shipping, with the binutils whose names begin with `prefix`.
+/// Packs cargo's static library `from` to the file `to` as for shipping, with the binutils whose names begin with
+/// `prefix`.
 pub fn pack(from: &Path, to: &Path, prefix: &str) {
     succeed(Command::new("sh").arg(root().join("src/dll/static.sh")).args([from, to]).arg(prefix));
 }
@@ -84,7 +85,8 @@ pub fn succeed(command: &mut Command) -> String {
     text(&stdout)
 }
 
-/// Returns a command that runs the compiler with the flags under which the header must compile without a warning.
+/// Returns a command that runs the compiler with strict flags, under which `include/dashpot.h` must compile without a
+/// warning.
 pub fn compiler(language: Language) -> Command {
     let (variable, default, standard) = match language {
         Language::C => ("CC", "gcc", "-std=c99"),
@@ -96,8 +98,8 @@ pub fn compiler(language: Language) -> Command {
     compiler
 }
 
-/// Compiles `tests/hosts/<source>` (or an absolute path) with further `flags` to a program in the folder `to`, linked
-/// with the library. Returns the path of the program.
+/// Compiles the host program `tests/hosts/<source>` (or an absolute path) with further `flags` into the folder `to`,
+/// linked with `libdashpot`. Returns the path of the program.
 pub fn host(source: &str, language: Language, linkage: Linkage, flags: &[&str], to: &Path) -> PathBuf {
     let name = Path::new(source).file_stem().expect("a source file").to_string_lossy();
     let program = to.join(format!("{name}-{language:?}-{linkage:?}-{}", flags.len()));

@@ -1,4 +1,4 @@
-//! Records of real dampers, which are not part of the project. If they are absent, the tests that read them are
+//! Records of real dampers, which are not part of the project. Without these records, the tests that read them are
 //! skipped.
 
 use crate::library::root;

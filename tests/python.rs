@@ -1,4 +1,4 @@
-//! A Python interpreter with the packages of some hosts, in a virtual environment below the target directory.
+//! A Python interpreter with the packages of host programs, in a virtual environment below cargo's target directory.
 
 use dashpot_test_support::{skipped, target_folder};
 use std::path::PathBuf;
@@ -8,8 +8,8 @@ use std::sync::OnceLock;
 /// Python packages of the hosts that the tests run: FMPy, which runs FMUs, and MuJoCo.
 const PACKAGES: [&str; 2] = ["fmpy==0.3.32", "mujoco==4.0.0"];
 
-/// Returns whether the interpreter exists or can be installed. If not, counts the calling test as skipped, with the
-/// reason.
+/// Returns whether the Python environment exists or can be installed. If not, reports the calling test as skipped, with
+/// the reason.
 pub fn has_python() -> bool {
     match made() {
         Ok(_) => true,
@@ -20,7 +20,7 @@ pub fn has_python() -> bool {
     }
 }
 
-/// Returns the path of the interpreter in an environment that is created on first use and stays for later runs.
+/// Returns the path of the Python interpreter in an environment that is created on first use and stays for later runs.
 ///
 /// # Panics
 /// If the environment cannot be created, with the reason. A test that calls [`has_python`] first is skipped instead.
@@ -58,8 +58,8 @@ fn made() -> &'static Result<PathBuf, String> {
     })
 }
 
-/// Returns the path of an interpreter with `packages` (separated by blanks), in an environment named after the first
-/// package.
+/// Returns the path of a Python interpreter with `packages` (separated by blanks), in an environment named after the
+/// first package.
 ///
 /// Returns `None` and reports the test as skipped if the packages cannot be installed.
 pub fn python_with(packages: &str) -> Option<PathBuf> {

@@ -39,7 +39,7 @@ static int with_mass, with_partials, has_string = 1, ns = 2, ni = 2, no = 7, npa
 enum { VARIABLE_NONE = 0 };
 static double variable = VARIABLE_NONE, setting_first, setting_later = -1;
 static double request_element = 1, request_kind, temperature = 20, joint_marker = GUIDE_I, end_marker = 12, amplitude = 20, frequency = 1, end_time = 1, hmax = 1e-3, tolerance = 1e-5, side_force, first_par = STRING, told_length = -1;
-/* SI units per unit of the model. */
+/* Length, m, force, N, and time, s, of one unit of the solver's model. */
 static double length_unit = 1e-3, force_unit = 1, time_unit = 1;
 static const char *type = "TRANSLATIONAL";
 static dataset model;
@@ -84,7 +84,7 @@ static void stand_on_axis(void)
     for (k = 0; k < 3; k++) {
         place_i[k] = damper_length() * AXIS[k];
         speed_i[k] = (body_speed - actuator_speed) * AXIS[k];
-        /* The side force acts across the axis. The force along the axis must have no effect. */
+        /* The side force acts across the damper's axis. The force of 50 N along the axis must have no effect. */
         guide_force[k] = (k == 1 ? side_force : 0.0) + 50.0 * AXIS[k];
     }
 }
@@ -365,7 +365,7 @@ static void force_in_space(double t, int dflag, int iflag, double f[3], double *
     *moment = fabs(r[3]) + fabs(r[4]) + fabs(r[5]);
 }
 
-/* Computes the force, N, with the sign of an SFORCE. */
+/* Computes the damper's force, N, with the sign of an SFORCE: positive if it pushes the markers apart. */
 static double force(double t, int dflag, int iflag)
 {
     double r[MOST] = {0};
@@ -437,7 +437,7 @@ static void rates(double t, const double *y, double *f, int dflag)
 {
     int m = mechanical(), i;
     place(t, y);
-    /* A rig without unknowns requests the force, too. */
+    /* A rig without unknowns also requests the force, because the program prints it. */
     last_force = force(t, dflag, 0);
     if (model.is_read) {
         dataset_rates(&model, last_force, f);

@@ -181,7 +181,7 @@ int main(int argc, char **argv)
         input = dashpot_input_motion(io.length - 0.45, io.vel);
         dashpot_corner_step(&kernel, &input, 1e-3);
         CHECK(io.Force == -kernel.now.output.force);
-        /* A push supplies energy while the damper extends. */
+        /* Force is positive in compression, so it supplies energy to the vehicle while the damper extends. */
         energy += io.Force * io.vel * 1e-3;
         for (i = 0; i < 4; i++) {
             all.length[i] = io.length;

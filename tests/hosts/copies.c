@@ -79,7 +79,7 @@ int main(void) {
       dashpot_state next, probe;
       input = dashpot_input_motion(again.displacement + DT * velocity(corner, i), velocity(corner, i));
       CHECK(dashpot_step(models[corner], &again, &input, DT, &next, &output) == DASHPOT_OK);
-      /* A trial step in between has no effect. */
+      /* A trial step with another velocity, whose result is dropped, has no effect on the next step. */
       input.velocity += 0.125;
       CHECK(dashpot_step(models[corner], &again, &input, DT, &probe, &answers[0]) == DASHPOT_OK);
       CHECK(!same(&probe, &next, STATE));

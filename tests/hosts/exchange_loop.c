@@ -14,7 +14,7 @@ struct face {
     int (*set_states)(void *, const double *, size_t);
     int (*get_states)(void *, double *, size_t);
     int (*get_rates)(void *, double *, size_t);
-    void (*set)(void); /* of FMI 2.0 or 3.0 */
+    void (*set)(void); /* functions of FMI 2.0 or 3.0, by `three` */
     void (*get)(void);
 };
 

@@ -145,7 +145,7 @@ def instances_reset_and_states():
         damper.begin()
         damper.run()
     first = drive(one, trace[:300])
-    # The second instance was not used in between.
+    # The second instance has made no step while the first one ran.
     check(drive(two, trace[:300]) == first, "instances disturb each other")
     state = one.save()
     data = one.serialized(state)
@@ -223,7 +223,7 @@ def parameters_act():
     after = damper.get(outputs)
     check(abs(abs(after[0] - before[0]) - 200.0) < 1e-6, f"gas force: {before} {after}")
     check(after[1:] == before[1:], "another corner was tuned")
-    # An invalid number is rejected at once, and the old number remains.
+    # An invalid gas force is rejected at once, and the parameter keeps its last valid value.
     for wrong in (math.nan, 1e12):
         refused(lambda: damper.set([name], [wrong]), f"gas force {wrong}")
     damper.set(inputs, still)
@@ -250,7 +250,7 @@ def calls_in_the_wrong_order_are_refused():
 
 
 def the_zero_of_the_rig():
-    """Checks that position_offset has the same effect as an equally larger displacement."""
+    """Checks that the parameter position_offset, m, gives the forces of a displacement that is larger by the same length."""
     prefix, sign, offset = ("L1.", -1.0, -0.012) if four else ("", 1.0, -0.012)
     forces = []
     for own in (0.0, offset):
@@ -270,7 +270,7 @@ def the_zero_of_the_rig():
             got.append(damper.get(outputs)[0])
         damper.end()
         forces.append(got)
-    # The forces differ by rounding only, because a sum has another order.
+    # The forces differ by rounding only, because the offset is added in another order.
     apart = max(abs(a - b) for a, b in zip(*forces))
     check(apart < 1e-6, f"position_offset: {apart} N apart")
 
@@ -370,7 +370,7 @@ def solve(rows_of, seconds, h):
 def what_is_fixed_stays():
     prefix = "L1." if four else ""
     damper = Damper("fixed")
-    # Before the run, all parameters can be set.
+    # Before the run, all parameters can be set, also those that are fixed in the run.
     damper.set([prefix + "motion_scale"], [-1.0 if four else 1.0])
     damper.begin()
     damper.run()
@@ -408,7 +408,7 @@ def exchange_is_the_same_damper():
         apart = [a - b for p, q in zip(co, exchange) for a, b in zip(p, q)]
         worst, rms = max(map(abs, apart)), math.sqrt(sum(e * e for e in apart) / len(apart))
         print(f"{1e3 * amplitude:g} mm {frequency:g} Hz: {100 * rms / peak:.4f} % rms, {100 * worst / peak:.4f} % at most, of {peak:.0f} N")
-        # The limit of the largest error is higher than the kernel's at 1 ms, because the acceleration jumps at the start.
+        # The errors are the differences of co-simulation and model exchange. The acceleration jumps at the start, so the largest one may be 0.2 %.
         check(rms < 1e-3 * peak and worst < 2e-3 * peak, f"{amplitude} m {frequency} Hz: {rms} N rms, {worst} N of {peak} N")
 
 
@@ -507,7 +507,7 @@ def velocity_alone():
     travel = damper.get([p + "travel" for p in prefixes])
     scale = -1.0 if four else 1.0
     for x in travel:
-        # The first step accelerates from rest to 0.1 m/s, which is half a step of travel less.
+        # The first step accelerates from rest to 0.1 m/s, so the travel is half a step shorter than 100 steps at 0.1 m/s.
         check(abs(x - (-0.02 + scale * 0.1 * 99.5 * DT)) < 1e-9, f"travel {travel}")
     damper.end()
 

@@ -70,7 +70,7 @@ check(damper.begin(float("nan")) == ERROR, "a start that is no time")
 for _ in range(3):
     check(damper.call("Reset") == OK and run(damper) == wanted, "after a reset")
     check(damper.begin() == ERROR, "begun while it runs")
-    # The rejected call has changed nothing.
+    # The rejected second initialization has not changed the force.
     check(damper.real("force") == wanted, "refused, and the force is another")
 # Any number of steps of zero length is allowed.
 still = [damper.real("force") for _ in range(5) if damper.step(0.01, 0.0) == OK]
@@ -102,7 +102,7 @@ for k in range(6):
 for back in [0.5e-3, 2e-3, 3.9e-3]:
     check(damper.call("SetTime", c_double(t - back)) == OK, "time")
     off = abs(damper.real("der(deflection)") + AMPLITUDE * OMEGA * math.sin(OMEGA * (t - back)))
-    # The error of a constant velocity is up to 11 %, that of linear interpolation 0.1 %.
+    # With a constant velocity the error would be up to 11 % of the largest velocity. With linear interpolation it is 0.1 % at most.
     check(off < 5e-4 * AMPLITUDE * OMEGA, f"{1e3 * back} ms back: off by {100 * off / (AMPLITUDE * OMEGA):.3f} %")
 damper.free()
 

@@ -40,7 +40,7 @@ def motion(t):
     for i, hertz in enumerate((1.7, 3.1, 6.3, 11.0)):
         w = 2 * math.pi * hertz
         a = 0.6 / w
-        # The slow part makes all strokes differ.
+        # The slow sine of 4 mm makes each stroke different from the preceding ones.
         values += [a * math.sin(w * t) + 0.004 * math.sin(2.1 * t),
                    a * w * math.cos(w * t) + 0.004 * 2.1 * math.cos(2.1 * t)]
     return values
@@ -57,7 +57,7 @@ def compare(what, got, at, size):
         up, down = at(by * size), at(-by * size)
         wanted = (up - down) / (2 * by * size)
         sides = sorted(((up - here) / (by * size), (here - down) / (by * size)))
-        # Rounding error of a difference.
+        # Bound of the rounding error of a difference quotient.
         noise = 1e-9 * (1.0 + abs(up)) / (by * size) * 1e-3
         off = 0.0 if sides[0] <= got <= sides[1] else min(abs(got - side) for side in (*sides, wanted))
         miss = max(0.0, off - noise) / max(abs(wanted), abs(got), 1e-3 / size)

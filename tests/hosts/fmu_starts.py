@@ -37,7 +37,7 @@ for velocity in (0.3, -0.3):
         check(jump < 0.01 * abs(first), f"at {velocity} m/s step {k} jumps by {jump} N of {first} N")
     damper.free()
     rest.free()
-    # Model exchange starts with the same force.
+    # Model exchange starts with the force of co-simulation.
     damper = started(end, 0.01, velocity, exchange=True)
     check(abs(damper.real("force") - first) < 1e-6 * abs(first), "model exchange starts with another force")
     damper.free()

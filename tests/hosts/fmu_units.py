@@ -101,6 +101,6 @@ for scaled, wanted in zip(others[::2], others[1::2]):
     for column, name in enumerate(["force", "stiffness", "damping", "travel", "deflection", "mass_velocity", "speed_margin"]):
         top = max(abs(row[column]) for row in right)
         worst = max(abs(a[column] - b[column]) for a, b in zip(got, right))
-        # The reciprocal of a pound-force in the arguments is rounded.
+        # The force scale in the arguments, the reciprocal of a pound-force, is rounded, hence the tolerance of 1e-6.
         check(top > 0 and worst <= 1e-6 * top, f"{scaled} in {wanted}: {name} {worst} apart, of {top}")
         print(f"{wanted}: {name} {worst / top:.1e} apart")

@@ -61,7 +61,7 @@ static void parameters(void) {
   other.abi_version--;
   CHECK(dashpot_params_default(&other) == DASHPOT_OK);
 
-  /* Size and version are also checked after initialization. */
+  /* The size and the version of the parameters are also checked in calls after their initialization. */
   other.struct_size++;
   CHECK(dashpot_params_set(&other, "gas_force", 1.0) == DASHPOT_STRUCT_SIZE);
   CHECK(dashpot_model_init(&never_set, &other) == DASHPOT_STRUCT_SIZE);
@@ -109,7 +109,7 @@ static void parameters(void) {
     CHECK(memcmp(&before, &other, sizeof before) == 0);
   }
 
-  /* Values that are allowed individually, but not together. */
+  /* An FV curve with falling forces: each number is allowed, but the list is not. */
   CHECK(dashpot_params_set_list(&other, "fv_velocity", points, 3) == DASHPOT_OK);
   CHECK(dashpot_params_set_list(&other, "fv_force", falling, 3) == DASHPOT_OK);
   {

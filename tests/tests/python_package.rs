@@ -2,9 +2,9 @@
 //!
 //! The test builds a wheel, installs it without the source tree on the path, and tests the installed package.
 //!
-//! Building the wheel compiles the workspace again, with unwinding, and the required packages have half a gigabyte.
-//! Therefore `cargo test --release` excludes this test. Run it with `cargo test --release -p dashpot-tests --test
-//! python_package -- --ignored --nocapture`.
+//! Building the wheel compiles the workspace again, with unwinding on panics, and the required packages have half a
+//! gigabyte. Therefore `cargo test --release` excludes this test. Run it with `cargo test --release -p dashpot-tests
+//! --test python_package -- --ignored --nocapture`.
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::cli::program;
@@ -13,7 +13,7 @@ use dashpot_tests::library::{root, shared, static_library};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Tool that builds the wheel; [`PACKAGES`] are the packages for the wheel's tests.
+/// Python package of the tool that builds the wheel. [`PACKAGES`] are the packages for the wheel's tests.
 const BUILD: &str = "maturin>=1.9,<2";
 const PACKAGES: [&str; 13] = [
     "numpy",
@@ -39,7 +39,8 @@ fn runs(command: &mut Command) -> Result<(), String> {
     }
 }
 
-/// Creates an environment with all required packages. Returns `None` and reports a skip if that is impossible.
+/// Creates a Python environment with all required packages, and returns its folder of programs. Returns `None` and
+/// reports a skipped test if that is impossible.
 fn environment(target: &Path) -> Option<PathBuf> {
     let folder = target.join("python-venv");
     let (bin, done) = (folder.join("bin"), folder.join("packages.txt"));
@@ -61,8 +62,8 @@ fn environment(target: &Path) -> Option<PathBuf> {
 #[ignore = "builds the workspace once more for the wheel and installs half a gigabyte: run it with -- --ignored"]
 fn the_wheel_does_what_the_command_does() {
     let Some(bin) = environment(&target_folder()) else { return };
-    // Command and wheel export equal bytes only if both contain the same compiled runtimes. A command without them
-    // compiles one at export.
+    // The program `dashpot` and the wheel export equal bytes only if both contain the same compiled runtimes. A program
+    // without runtimes compiles one at export.
     runtimes();
     let sources = root().join("src/python");
     let wheels = tempfile::tempdir().expect("a directory");
@@ -77,7 +78,7 @@ fn the_wheel_does_what_the_command_does() {
     let mut pytest = Command::new(bin.join("python"));
     pytest.args(["-m", "pytest", "-q", "-rs", "-p", "no:cacheprovider"]).arg(sources.join("tests"));
     pytest.current_dir(wheels.path()).env("PYTHONDONTWRITEBYTECODE", "1").env("DASHPOT_COMMAND", program());
-    // The tests of the documentation's pages load the shared library from the folder of the static library.
+    // The tests of the documentation's Python examples load the shared library from the folder of the static library.
     let library = wheels.path().join("libdashpot.a");
     std::fs::copy(static_library(), &library).expect("the static library");
     std::fs::copy(shared(), library.with_extension("so")).expect("the shared library");

@@ -29,7 +29,7 @@ fn main() {
             "{name}: examples in documentation run last; make it a test, doctest = false"
         );
     }
-    // Print only in a whole run, without filters or a request for the list of tests.
+    // The line is printed only in a whole test run, without filters or a request for the list of tests.
     if std::env::args().len() == 1 {
         println!("{}", dashpot_test_support::counted());
     }

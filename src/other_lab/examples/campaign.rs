@@ -1,4 +1,4 @@
-//! Writes a campaign of the second laboratory into a folder.
+//! Writes a simulated campaign of the second laboratory (this crate) into a folder.
 //!
 //! `cargo run --release -p dashpot-other-lab --example campaign -- --plant twin_tube --hide cavitation=1 --seed 3 -o DIR`
 

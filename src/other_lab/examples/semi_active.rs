@@ -1,4 +1,4 @@
-//! Writes the campaign of a semi-active damper of the second laboratory into a folder.
+//! Writes the simulated campaign of a semi-active damper of the second laboratory (this crate) into a folder.
 //!
 //! `cargo run --release -p dashpot-other-lab --example semi_active -- SEED FOLDER`
 

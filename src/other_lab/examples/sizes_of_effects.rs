@@ -1,6 +1,6 @@
-//! Prints the change of force due to every law of every effect.
+//! Prints the change of force due to every law (equation) of every injected effect, for the three kinds of damper.
 //!
-//! The change is the root mean square over all tests, before any refit, at the strengths 0.1 and 1. It is stated
+//! The change is the root mean square over all tests, without a fit of a model, at the strengths 0.1 and 1. It is
 //! relative to the noise, which is 2 % of each test's root mean square force plus 0.5 N.
 //!
 //! `cargo run --release -p dashpot-other-lab --example sizes_of_effects [-- SEED]`

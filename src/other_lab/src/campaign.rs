@@ -1,4 +1,4 @@
-//! A campaign: successive tests on one damper, and the sensor readings.
+//! Simulation of a campaign: successive tests on one damper, and their sensor readings.
 
 use crate::LabError;
 use crate::case::{Case, InjectedEffect, Prepared};
@@ -14,7 +14,7 @@ use crate::sensors::Sensors;
 use crate::trace::interpolate;
 use serde::Serialize;
 
-/// Records and truth of a campaign.
+/// Records of a campaign, and the true damper and effects.
 #[derive(Debug, Clone)]
 pub struct Campaign {
     /// The tests in the order of execution.
@@ -28,7 +28,7 @@ pub struct Campaign {
 pub struct TestRecord {
     /// Name of the test.
     pub name: String,
-    /// Time on the clock of the campaign, s. The clock continues from test to test.
+    /// Time since the start of the campaign, s. It continues from test to test.
     pub time_s: Vec<f64>,
     /// Displacement of the moving end, extension positive, m.
     pub displacement_m: Vec<f64>,
@@ -36,9 +36,9 @@ pub struct TestRecord {
     pub velocity_m_s: Option<Vec<f64>>,
     /// Force, tension positive, N.
     pub force_n: Vec<f64>,
-    /// Force without noise, hum, offset and rounding, but with the delay of the channel, N.
+    /// Force without noise, hum, offset and rounding, but with the delay of the force channel, N.
     pub clean_force_n: Vec<f64>,
-    /// Side force, N, if the plan has side force.
+    /// Side force, N, if a test of the plan has side force.
     pub side_force_n: Option<Vec<f64>>,
     /// Temperature of the oil, °C, if measured.
     pub temperature_c: Option<Vec<f64>>,
@@ -57,7 +57,7 @@ pub struct Truth {
     pub noise_seed: u64,
     /// Injected effects.
     pub injected: Vec<InjectedEffect>,
-    /// Characteristic values of the damper.
+    /// Characteristic forces and stiffness of the damper.
     pub scale: Scale,
     /// Protocol of the measurement.
     pub protocol: Protocol,
@@ -70,14 +70,14 @@ pub struct Truth {
 pub struct Accuracy {
     /// Relative error tolerance of a step.
     pub relative: f64,
-    /// Factor on the absolute tolerances of the states.
+    /// Factor by which the absolute error tolerances of the states are multiplied.
     pub absolute: f64,
-    /// Factor on the longest step of a motion.
+    /// Factor by which the longest step of a motion is multiplied.
     pub longest: f64,
 }
 
 impl Default for Accuracy {
-    /// Returns tolerances with errors below a tenth of the noise. The test
+    /// Returns tolerances with force errors below a tenth of the default sensor noise. The test
     /// `smaller_steps_change_the_force_by_less_than_a_tenth_of_the_noise` verifies this.
     fn default() -> Accuracy {
         Accuracy { relative: 4e-4, absolute: 0.4, longest: 1.0 }
@@ -101,7 +101,7 @@ struct Simulated {
 }
 
 impl Case {
-    /// Simulates all tests of the campaign, and adds the sensor errors.
+    /// Simulates all tests of the campaign with the default accuracy, and adds the sensor errors.
     ///
     /// # Errors
     /// Returns a [`LabError`] for an unknown effect or law, an invalid strength, an invalid protocol, or a simulation
@@ -110,7 +110,7 @@ impl Case {
         self.run_with(&Accuracy::default())
     }
 
-    /// Simulates the campaign with another accuracy.
+    /// Simulates the campaign with the accuracy `accuracy`, and adds the sensor errors.
     ///
     /// # Errors
     /// Returns the errors of [`Case::run`].
@@ -118,7 +118,7 @@ impl Case {
         self.run_prepared(self.prepare()?, accuracy)
     }
 
-    /// Simulates the campaign of a prepared damper.
+    /// Simulates the campaign with a damper and effects that are already drawn.
     pub(crate) fn run_prepared(&self, prepared: Prepared, accuracy: &Accuracy) -> Result<Campaign, LabError> {
         let Prepared { plant, effects, truth } = prepared;
         let p = &self.protocol;
@@ -172,8 +172,8 @@ impl Case {
                 temperature_c: p.temperature_channel.then(|| times.iter().map(|t| warm(*t)).collect()),
                 left_out: test.left_out,
             });
-            // Unrecorded conditioning runs, only for sines, heat the oil. The oil cools over the duration of the test
-            // and a pause.
+            // Unrecorded conditioning cycles, only before sine tests, also heat the oil. The oil cools over the
+            // duration of the test and a pause.
             let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
             oil_c = heat(oil_c, energy * (1.0 + runs));
             oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * libm::exp(-(seconds + PAUSE_S) * COOLING / CAPACITY);

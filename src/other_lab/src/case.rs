@@ -12,7 +12,8 @@ use serde::Serialize;
 pub struct Case {
     /// Kind of damper.
     pub plant: Kind,
-    /// Names and strengths of the injected effects. `name:law` selects a law. Without a law, the seed selects it.
+    /// Names and strengths of the injected effects. `name:law` selects the law, one of the effect's equations. Without
+    /// a law, the seed selects it.
     pub effects: Vec<(String, f64)>,
     /// Protocol of the measurement.
     pub protocol: Protocol,

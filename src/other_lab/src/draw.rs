@@ -9,7 +9,7 @@ use rand_distr::{Distribution, StandardNormal};
 pub struct Draw(ChaCha8Rng);
 
 impl Draw {
-    /// Makes the stream of a seed for a purpose.
+    /// Makes the stream of random numbers of a seed for a purpose, such as the noise of one channel.
     pub fn new(seed: u64, purpose: &str) -> Draw {
         // Two FNV-1a hashes with different start values give 128 bits, which are sufficient to distinguish purposes.
         let hash = |start: u64| {
@@ -22,17 +22,17 @@ impl Draw {
         Draw(ChaCha8Rng::from_seed(key))
     }
 
-    /// Draws uniformly from 0 to 1.
+    /// Draws a number uniformly from 0 to 1.
     pub fn fraction(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Draws uniformly between two numbers.
+    /// Draws a number uniformly between `low` and `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.fraction()
     }
 
-    /// Draws log-uniformly between two positive numbers.
+    /// Draws a number log-uniformly between the positive numbers `low` and `high`.
     pub fn scale(&mut self, low: f64, high: f64) -> f64 {
         low * libm::pow(high / low, self.fraction())
     }
@@ -47,7 +47,7 @@ impl Draw {
         if self.fraction() < 0.5 { -1.0 } else { 1.0 }
     }
 
-    /// Draws from the normal distribution with standard deviation 1.
+    /// Draws from the normal distribution with mean 0 and standard deviation 1.
     pub fn normal(&mut self) -> f64 {
         StandardNormal.sample(&mut self.0)
     }

@@ -61,7 +61,7 @@ impl Campaign {
 }
 
 impl TestRecord {
-    /// Formats the record as CSV, SI units, extension and tension positive.
+    /// Formats the record as CSV in SI units, with extension and tension positive.
     pub fn csv(&self) -> String {
         let channels = [
             ("velocity_m_s", &self.velocity_m_s, 6),

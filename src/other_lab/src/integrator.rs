@@ -1,17 +1,17 @@
 //! RODAS3 (Sandu et al., Atmos. Environ. 31, 1997): a Rosenbrock method of order 3 with an error estimate of order 2.
 //!
-//! It is L-stable, so the fast parts of a damper (oil columns, a mount with a small mass, bristles) do not limit the
-//! step.
+//! The method is L-stable, so the fast parts of a damper (oil columns, a mount with a small mass, bristles) do not
+//! limit the step.
 
 /// A system of differential equations.
 pub trait Equations {
-    /// Inputs at an instant.
+    /// Inputs of the equations at an instant.
     type Drive;
-    /// Computes the inputs at time `t`.
+    /// Computes the inputs at time `t`, s.
     fn drive(&self, t: f64) -> Self::Drive;
-    /// Computes the rates of the states.
+    /// Computes the time derivatives of the states `y`.
     fn rates(&self, drive: &Self::Drive, y: &[f64], rates: &mut [f64]);
-    /// Returns the longest step that resolves the outputs at these inputs, s.
+    /// Returns the longest step, s, with which the output has a sufficient resolution at these inputs.
     fn longest(&self, _: &Self::Drive) -> f64 {
         f64::INFINITY
     }
@@ -25,25 +25,24 @@ pub trait Equations {
 pub struct Steps {
     /// Longest step, s.
     pub longest: f64,
-    /// Factor on the longest step from the equations.
+    /// Factor by which [`Equations::longest`] is multiplied.
     pub resolution: f64,
     /// Relative error tolerance of a step.
     pub relative: f64,
-    /// Factor on the absolute tolerances of the states.
+    /// Factor by which the absolute error tolerances of the states are multiplied.
     pub absolute: f64,
 }
 
-/// Shortest step, s. At this length, every error is accepted, because no step resolves an exact corner.
+/// Shortest step, s. A step of this length is accepted with any error, because no step resolves a discontinuity.
 const SHORTEST: f64 = 1e-7;
 const DIAGONAL: f64 = 0.5;
 const A: [[f64; 3]; 4] = [[0.0; 3], [0.0; 3], [2.0, 0.0, 0.0], [2.0, 0.0, 1.0]];
 const C: [[f64; 3]; 4] = [[0.0; 3], [4.0, 0.0, 0.0], [1.0, -1.0, 0.0], [1.0, -1.0, -8.0 / 3.0]];
 const M: [f64; 4] = [2.0, 0.0, 1.0, 1.0];
 const GAMMA: [f64; 4] = [0.5, 1.5, 0.0, 0.0];
-/// Fraction of a step for the finite difference with respect to time; the error of the difference is this fraction of
-/// the step's error.
+/// Increment of time for the derivative of the rates with respect to time, as a fraction of the step.
 const AHEAD: f64 = 1e-4;
-/// Increments for the Jacobian: a multiple of the tolerance, plus a fraction of the state's magnitude.
+/// Increment of a state for the Jacobian: a multiple of its error tolerance, plus a fraction of its magnitude.
 const NUDGE: (f64, f64) = (1e-1, 1e-7);
 
 /// Integrator with adaptive steps and reused buffers.
@@ -74,8 +73,8 @@ impl Integrator {
         }
     }
 
-    /// Integrates from `start` to `end`, and calls `each` with the time, inputs and states at the end of every accepted
-    /// step.
+    /// Integrates the states `y` from `start` to `end`, s, and calls `each` with time, inputs and states after every
+    /// accepted step.
     ///
     /// Returns false if even the shortest step gives no finite states.
     pub fn run<E: Equations>(
@@ -139,7 +138,8 @@ impl Integrator {
         }
     }
 
-    /// Attempts one step into `trial`. Returns the error relative to the tolerance, or infinity for a singular matrix.
+    /// Attempts one step of length `h`, s, and stores its result in `trial`. Returns the error relative to the
+    /// tolerance, or infinity for a singular matrix.
     fn attempt<E: Equations>(&mut self, e: &E, drive_end: &E::Drive, y: &[f64], h: f64, steps: &Steps) -> f64 {
         let n = self.n;
         for (i, (m, j)) in self.matrix.iter_mut().zip(&self.jacobian).enumerate() {
@@ -174,7 +174,7 @@ impl Integrator {
         (sum / n as f64).sqrt()
     }
 
-    /// Computes the LU factors with row exchange. Returns false for a singular matrix.
+    /// Replaces `matrix` by its LU factors with row exchange. Returns false for a singular matrix.
     fn factorise(&mut self) -> bool {
         let (n, m) = (self.n, &mut self.matrix);
         for column in 0..n {
@@ -257,7 +257,7 @@ mod tests {
     fn stiff_part_follows_and_the_rest_has_order_three() {
         let exact = end(1e-3, 1e-9);
         assert!((exact[0] - 3f64.cos()).abs() < 1e-6);
-        // `longest` alone determines the steps.
+        // With this loose tolerance, `longest` alone determines the steps.
         let error = |h: f64| {
             let y = end(h, 1e3);
             libm::hypot(y[1] - exact[1], y[2] - exact[2])

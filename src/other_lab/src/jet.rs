@@ -1,17 +1,18 @@
 //! A quantity with its first and second derivative with respect to time.
 //!
-//! A motion defines only the displacement. Velocity and acceleration follow exactly by automatic differentiation.
+//! The code of a motion computes only the displacement. Velocity and acceleration follow exactly by automatic
+//! differentiation.
 
 use std::ops::{Add, Mul, Neg, Sub};
 
-/// A value with its first and second derivative.
+/// A value with its first and second derivative with respect to time.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Jet {
     /// Value.
     pub x: f64,
-    /// First derivative.
+    /// First derivative with respect to time.
     pub v: f64,
-    /// Second derivative.
+    /// Second derivative with respect to time.
     pub a: f64,
 }
 
@@ -21,12 +22,13 @@ impl Jet {
         Jet { x, v: 0.0, a: 0.0 }
     }
 
-    /// Makes the time variable.
+    /// Makes the time itself, whose first derivative is 1.
     pub const fn time(t: f64) -> Jet {
         Jet { x: t, v: 1.0, a: 0.0 }
     }
 
-    /// Applies a function, stated by its value and its first and second derivative at this point.
+    /// Applies a function to this quantity by the chain rule. `f`, `first` and `second` are the function's value and
+    /// derivatives at `self.x`.
     pub fn through(self, f: f64, first: f64, second: f64) -> Jet {
         Jet { x: f, v: first * self.v, a: second * self.v * self.v + first * self.a }
     }
@@ -44,13 +46,13 @@ impl Jet {
         self.through(libm::asin(self.x), 1.0 / root, self.x / (rest * root))
     }
 
-    /// Computes a power.
+    /// Computes the power of this quantity with the exponent `p`.
     pub fn powf(self, p: f64) -> Jet {
         let f = libm::pow(self.x, p);
         self.through(f, p * f / self.x, p * (p - 1.0) * f / (self.x * self.x))
     }
 
-    /// Multiplies by a number.
+    /// Multiplies this quantity by a constant.
     pub fn times(self, by: f64) -> Jet {
         Jet { x: self.x * by, v: self.v * by, a: self.a * by }
     }

@@ -1,9 +1,9 @@
 //! A second laboratory: dampers and rig campaigns with laws from the literature.
 //!
-//! It shares no code and no law with the identified model or the first virtual rig. It therefore tests a diagnosis on
-//! dampers that did not influence the development of the diagnosis.
+//! This crate shares no code and no law with the identified model or the first virtual rig (`dashpot-rig`). It
+//! therefore tests a diagnosis on dampers that did not influence the development of the diagnosis.
 //!
-//! Signs and units follow the project: SI, extension and rebound positive, tension positive.
+//! All values are in SI units; extension (rebound) and tension are positive.
 
 mod campaign;
 mod case;
@@ -30,31 +30,31 @@ pub use protocol::plan::{LEFT_OUT_PREFIX, Plan};
 
 use std::path::PathBuf;
 
-/// Errors of the laboratory.
+/// Errors of the second laboratory.
 #[derive(Debug, thiserror::Error)]
 pub enum LabError {
     /// An unknown effect.
     #[error("there is no effect '{name}' to hide; choose one of: {names}")]
     Effect {
-        /// The requested effect.
+        /// Name of the requested effect.
         name: String,
-        /// The available effects.
+        /// Names of the available effects.
         names: String,
     },
     /// An unknown law.
     #[error("'{effect}' has no law '{law}'; choose one of: {laws}")]
     Law {
-        /// The effect.
+        /// Name of the effect.
         effect: String,
-        /// The requested law.
+        /// Name of the requested law.
         law: String,
-        /// The available laws.
+        /// Names of the laws of the effect.
         laws: String,
     },
     /// An invalid strength.
     #[error("the strength of '{effect}' is {strength}: it has to be 0 or more")]
     Strength {
-        /// The effect.
+        /// Name of the effect.
         effect: String,
         /// The requested strength.
         strength: f64,
@@ -62,7 +62,7 @@ pub enum LabError {
     /// An invalid protocol.
     #[error("the protocol cannot be run: {what}: {why}")]
     Protocol {
-        /// The entry.
+        /// The invalid entry of the protocol.
         what: &'static str,
         /// The problem with the entry.
         why: &'static str,
@@ -70,21 +70,21 @@ pub enum LabError {
     /// A simulation without a finite force.
     #[error("the simulation of '{test}' finds no finite force: choose a smaller strength or another seed")]
     NoNumbers {
-        /// The test.
+        /// Name of the test.
         test: String,
     },
     /// A folder that is not empty.
     #[error("'{path}' is not an empty folder: choose a new one, so that records of two campaigns do not mix")]
     Folder {
-        /// The folder.
+        /// Path of the folder.
         path: PathBuf,
     },
     /// A file that is not writable.
     #[error("cannot write '{path}'")]
     Io {
-        /// The file.
+        /// Path of the file.
         path: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: std::io::Error,
     },
 }

@@ -1,4 +1,4 @@
-//! Equations of a damper with its mount and injected effects.
+//! Differential equations of a damper with its mount and injected effects.
 
 use crate::effects::{EffectModel, Here};
 use crate::integrator::Equations;
@@ -11,22 +11,22 @@ const X: usize = 1;
 const V: usize = 2;
 const BRISTLE: usize = 3;
 const OIL: usize = 4;
-/// Reference temperature of the valves, °C.
+/// Oil temperature at which the valves have their nominal flow, °C.
 const REFERENCE_C: f64 = 25.0;
 /// Approximate relative decrease of the oil's viscosity per kelvin.
 const THINS: f64 = 0.022;
 
-/// Velocity scale of the friction's reversal, m/s.
+/// Velocity range of a reversal of friction, m/s, which the steps of the simulation must resolve.
 const TURNS: f64 = 1.5e-3;
 
-/// Conditions of a test.
+/// Time, side force and oil temperature of a test.
 #[derive(Debug, Clone, Copy)]
 pub struct Around {
     /// Time from the start of the campaign to the start of the record, s.
     pub clock: f64,
-    /// Length of the campaign, s.
+    /// Duration of the campaign, s.
     pub campaign: f64,
-    /// Side force, N.
+    /// Side force on the rod, N.
     pub side: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,
@@ -53,7 +53,7 @@ pub struct Instant {
 }
 
 impl<'a> Machine<'a> {
-    /// Makes the equations of a damper in a test.
+    /// Makes the equations of a damper with the injected effects `hidden` in a test.
     pub fn new(plant: &'a Plant, hidden: &'a [Box<dyn EffectModel>], motion: &'a Ready, around: Around) -> Machine<'a> {
         let mut tolerances = vec![0.1, 5e-7, 2e-5, 2e-3 * plant.seal.length()];
         tolerances.resize(OIL + plant.oil.states(), 0.0);
@@ -66,7 +66,7 @@ impl<'a> Machine<'a> {
         Machine { plant, hidden, motion, around, tolerances, begins }
     }
 
-    /// Returns the states in equilibrium.
+    /// Returns the states of the damper in equilibrium at the start of the test.
     pub fn rest(&self) -> Vec<f64> {
         let mut y = vec![0.0; self.tolerances.len()];
         let at = self.drive(0.0);
@@ -106,7 +106,8 @@ impl<'a> Machine<'a> {
         }
     }
 
-    /// Computes all forces in parallel with the oil, or with the whole damper, N.
+    /// Computes the sum of friction, gas and injected forces, N. It acts in parallel with the oil, or with the whole
+    /// damper if `seal_is_outside` is set.
     fn parallel(&self, here: &Here, y: &[f64]) -> f64 {
         let plant = self.plant;
         let mut force = plant.seal.force(here.v, y[BRISTLE]) + plant.slight.gas[0] * gas(here.x, plant.slight.gas[1]);
@@ -148,7 +149,8 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// Computes the position-dependent force of a gas column, divided by its stiffness, m. It is softer in extension.
+/// Computes the position-dependent force of a gas column of a length, m, at the displacement `x`, m, divided by its
+/// stiffness: m. The gas column is softer in extension.
 fn gas(x: f64, length: f64) -> f64 {
     x / (1.0 + x / length).max(0.2)
 }
@@ -164,8 +166,8 @@ impl Equations for Machine<'_> {
         &self.tolerances
     }
 
-    /// Limits the step near a reversal, because friction reverses within about 1 mm/s. If friction acts in parallel
-    /// with the mount, error control does not resolve the reversal of the friction.
+    /// Limits the step, s, near a reversal, because friction reverses within about 1 mm/s. If friction acts in parallel
+    /// with the mount, the error control of the states does not resolve this reversal.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

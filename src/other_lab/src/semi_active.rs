@@ -1,5 +1,5 @@
-//! A semi-active damper, and its campaign on a rig: a monotube with a solenoid valve in parallel with the shims of the
-//! piston.
+//! A semi-active damper (a monotube with a solenoid valve in parallel with the shims of the piston), and its campaign
+//! on a rig.
 //!
 //! The equations of this damper differ from those of the identified model. In the identified model, the actuator is a
 //! lag with a dead time. In this damper, it consists of a coil, a magnet, a spool and a main stage.
@@ -26,17 +26,17 @@ const SEAL: usize = 3;
 const OIL: usize = 4;
 const VALVE: usize = 6;
 const STATES: usize = VALVE + solenoid_valve::STATES;
-/// Time, s, over which the valve reaches its steady state at a constant current.
+/// Simulated time, s, in which the valve reaches its steady state at a constant current.
 const LONG: f64 = 0.6;
 /// Longest step of the simulation, s.
 const STEP: f64 = 1e-3;
 
-/// A semi-active damper.
+/// Parameters of a semi-active damper.
 #[derive(Debug, Clone)]
 pub struct SemiActivePlant {
-    /// The valve.
+    /// Solenoid valve that the current controls.
     pub valve: SolenoidValve,
-    /// Largest current, A.
+    /// Largest current of the valve, A.
     pub most: f64,
     mount: Mount,
     seal: Seal,
@@ -54,7 +54,7 @@ pub struct SemiActivePlant {
 pub enum Command {
     /// Current levels with their start times, s and A. The first level applies from the beginning.
     Levels(Vec<[f64; 2]>),
-    /// A mean, A, and superposed waves: amplitude, A, angular frequency, rad/s, and phase, rad.
+    /// A mean current, A, and superposed sine waves: amplitude, A, angular frequency, rad/s, and phase, rad.
     Waves(f64, Vec<[f64; 3]>),
 }
 
@@ -120,7 +120,7 @@ impl SemiActivePlant {
         let (piston, rod) = (area(d.between(0.040, 0.046)), area(d.between(0.011, 0.013)));
         let soft = d.between(0.1, 0.18) * rebound;
         let (most, annulus) = (1.6, piston - rod);
-        // At this opening and the soft force, the flow through the valve is the whole flow at 0.5 m/s.
+        // At this opening, m², and the force `soft`, N, all oil flows through the solenoid valve at 0.5 m/s.
         let opening = 0.5 * annulus / (0.65 * (2.0 * soft / annulus / 850.0).sqrt());
         let needed = 2.6 * compression / (annulus * BAR);
         SemiActivePlant {
@@ -146,7 +146,7 @@ impl SemiActivePlant {
         (y[OIL] - y[OIL + 1]) * BAR * self.annulus()
     }
 
-    /// Computes the steady state of the valve at a current, approached from zero current.
+    /// Computes the states of the valve in equilibrium at a current, A, approached from zero current.
     fn valve_at_rest(&self, current: f64) -> Vec<f64> {
         let alone = Alone { valve: &self.valve, current };
         let mut y = vec![0.0; solenoid_valve::STATES];
@@ -187,8 +187,8 @@ impl SemiActivePlant {
         (y[OIL] * self.annulus() - y[OIL + 1] * self.piston + self.rod) * BAR
     }
 
-    /// Runs a test with the sensors of a protocol. The largest force of the test determines the range of the force
-    /// converter.
+    /// Simulates a test with the sensors of a protocol. The largest force of the test determines the range of the force
+    /// channel's analog-to-digital converter.
     ///
     /// # Errors
     /// [`LabError::NoNumbers`] if the simulation has no finite force.
@@ -213,7 +213,7 @@ impl SemiActivePlant {
         ends.push(end);
         let mut begin = 0.0;
         for end in ends {
-            // Between two jumps of the command, the level is constant, including the instant of the second jump.
+            // Between two jumps of the command, the current is constant, including the instant of the second jump.
             let held = match &test.command {
                 Command::Levels(_) => Some(test.command.at(0.5 * (begin + end))),
                 Command::Waves(..) => None,
@@ -274,7 +274,7 @@ impl SemiActiveRecord {
     }
 }
 
-/// The valve without flow.
+/// The solenoid valve without flow, at a constant current, A.
 struct Alone<'a> {
     valve: &'a SolenoidValve,
     current: f64,
@@ -327,7 +327,7 @@ impl Machine<'_> {
         (relative / own, self.plant.mount.damping * relative)
     }
 
-    /// Computes the force at the load cell, N.
+    /// Computes the force at the load cell, N, from the motion and the states.
     fn force(&self, at: &Instant, y: &[f64]) -> f64 {
         y[MOUNT] + self.mount_rate(at, y).1
     }
@@ -378,13 +378,13 @@ pub const CURRENTS: [f64; 8] = [0.0, 0.2, 0.4, 0.6, 0.8, 1.0, 1.3, 1.6];
 pub const LEFT_OUT: &str = "holdout_";
 /// Amplitude, mm, and peak velocity, m/s, of the sines at each current.
 const SINES: [(f64, f64); 6] = [(30.0, 0.02), (30.0, 0.15), (30.0, 0.5), (30.0, 0.9), (6.0, 0.25), (6.0, 0.6)];
-/// Levels between which the current steps, A, and the constant speed, m/s.
+/// Lower and upper level of the current steps, A, and constant speed of the motion, m/s.
 const STEPS: [(f64, f64, f64); 5] =
     [(0.0, 1.6, 0.3), (0.3, 1.2, 0.3), (0.0, 0.9, 0.5), (0.6, 1.6, 0.15), (0.3, 0.9, 0.3)];
 /// Amplitude of the triangles, m.
 const TRIANGLE: f64 = 0.04;
 
-/// Makes sines at constant currents.
+/// Makes sine tests at each of the constant currents, A.
 pub fn sines(currents: &[f64]) -> Vec<SemiActiveTest> {
     let of = |current: f64| {
         SINES.map(|(amplitude, peak)| {
@@ -401,7 +401,7 @@ pub fn sines(currents: &[f64]) -> Vec<SemiActiveTest> {
     currents.iter().flat_map(|current| of(*current)).collect()
 }
 
-/// Makes tests with steps of current up and down at constant speed.
+/// Makes tests with steps of current up and down during strokes of constant speed.
 ///
 /// Each step occurs at a random instant between 25 and 40 % of a stroke. Every third stroke has no step, so that steps
 /// up and down occur in both directions.
@@ -432,13 +432,13 @@ pub fn steps(seed: u64) -> Vec<SemiActiveTest> {
     STEPS.iter().enumerate().map(of).collect()
 }
 
-/// Makes a random current during a random motion.
+/// Makes a test with a random current, up to about `most`, A, during a road-like random motion.
 pub fn random(name: &str, seed: u64, most: f64, left_out: bool) -> SemiActiveTest {
     let mut d = Draw::new(seed, "random current");
     let waves: Vec<[f64; 3]> =
         (0..14).map(|_| [d.between(0.4, 1.0), TAU * d.scale(0.3, 12.0), TAU * d.fraction()]).collect();
     let square: f64 = waves.iter().map(|[size, ..]| 0.5 * size * size).sum();
-    // Scale the waves so that two standard deviations of the current are half its range.
+    // The waves are scaled so that two standard deviations of the current are half the range from 0 to `most`.
     let factor = 0.25 * most / square.sqrt();
     let waves = waves.into_iter().map(|[size, omega, phase]| [factor * size, omega, phase]).collect();
     SemiActiveTest {
@@ -506,7 +506,8 @@ mod tests {
             let ((up, high), (down, low)) = (answer(0.3, 1.2), answer(1.2, 0.3));
             assert!((2e-3..40e-3).contains(&up) && (2e-3..60e-3).contains(&down), "{seed}: {up} {down}");
             assert!(high > low);
-            // Compare the main stage at a middle current, reached from lower and from higher currents.
+            // The position of the main stage at 0.6 A must differ between an approach from lower and one from higher
+            // currents, because of friction.
             let mut from_above = plant.valve_at_rest(1.6);
             let alone = Alone { valve: &plant.valve, current: 0.6 };
             let steps = Steps { longest: 2e-4, resolution: 1.0, relative: 1e-4, absolute: 1.0 };

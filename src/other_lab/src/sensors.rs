@@ -1,14 +1,15 @@
-//! Errors of sensors and converters.
+//! Errors of sensors and analog-to-digital converters.
 
 use crate::draw::Draw;
 use crate::protocol::Protocol;
 use std::f64::consts::TAU;
 
-/// Noise of the load cell's amplifier, N, in addition to the noise relative to the test's force.
+/// Standard deviation of the noise of the load cell's amplifier, N, in addition to the noise relative to the test's rms
+/// force.
 pub const LEAST_NOISE_N: f64 = 0.5;
-/// Noise of the displacement transducer, standard deviation, m: an LVDT with a range of 100 mm.
+/// Standard deviation of the noise of the displacement transducer, m, for an LVDT with a range of 100 mm.
 const DISPLACEMENT_M: f64 = 2e-6;
-/// Noise of the velocity channel, standard deviation relative to the largest velocity of the test.
+/// Standard deviation of the noise of the velocity channel, relative to the largest velocity of the test.
 const VELOCITY_SHARE: f64 = 1.5e-3;
 const SIDE_FORCE_N: f64 = 1.0;
 const TEMPERATURE_K: f64 = 0.1;
@@ -49,7 +50,7 @@ impl Sensors<'_> {
         }
     }
 
-    /// Adds noise, hum, offset and quantization to the force.
+    /// Adds noise, hum, offset and quantization to the force of a test, N, at the times `time`, s.
     pub fn force(&self, time: &[f64], force: &mut [f64]) {
         let p = self.protocol;
         if p.noise_percent > 0.0 {
@@ -70,25 +71,25 @@ impl Sensors<'_> {
         self.rounded(RESERVE * self.peak_n, force);
     }
 
-    /// Adds noise, offset and quantization to the displacement.
+    /// Adds noise, offset and quantization to the displacement, m.
     pub fn displacement(&self, values: &mut [f64]) {
         self.white("displacement", DISPLACEMENT_M, values);
         values.iter_mut().for_each(|value| *value += self.protocol.displacement_offset_m);
         self.rounded(STROKE_M, values);
     }
 
-    /// Adds noise to the velocity.
+    /// Adds noise to the velocity, m/s.
     pub fn velocity(&self, values: &mut [f64]) {
         let peak = values.iter().fold(0.0f64, |m, v| m.max(v.abs()));
         self.white("velocity", VELOCITY_SHARE * peak, values);
     }
 
-    /// Adds noise to the side force.
+    /// Adds noise to the side force, N.
     pub fn side(&self, values: &mut [f64]) {
         self.white("side force", SIDE_FORCE_N, values);
     }
 
-    /// Adds noise to the temperature.
+    /// Adds noise to the temperature, °C.
     pub fn temperature(&self, values: &mut [f64]) {
         self.white("temperature", TEMPERATURE_K, values);
     }

@@ -1,10 +1,10 @@
 //! Interpolation of a quantity with unequal time steps.
 
-/// Interpolates `values`, which belong to the times `time`, to the time `t` by Hermite's cubic.
+/// Interpolates `values`, given at the times `time`, at the time `t` with Hermite's cubic.
 ///
 /// Outside the range of times, the result is the first or the last value.
 ///
-/// The slope at each point is that of the parabola through three points.
+/// The slope at each point is that of the parabola through this point and its neighbors, or 0 at an extremum.
 pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {
     let n = time.len();
     if t <= time[0] || n < 3 {
@@ -18,7 +18,7 @@ pub fn interpolate(time: &[f64], values: &[f64], t: f64) -> f64 {
         let k = k.min(n - 2).max(1);
         let (before, after) = (time[k] - time[k - 1], time[k + 1] - time[k]);
         let (m0, m1) = ((values[k] - values[k - 1]) / before, (values[k + 1] - values[k]) / after);
-        // The slope is zero at an extremum, which avoids overshoot.
+        // The slope is zero at a local extremum of the values, so that the curve does not overshoot them.
         if m0 * m1 <= 0.0 { 0.0 } else { (m0 * after + m1 * before) / (before + after) }
     };
     let h = time[i + 1] - time[i];

@@ -4,9 +4,9 @@ use crate::plant::Part;
 use crate::{Accuracy, Campaign, Case, LabError};
 
 /// Smallest visible change of the force due to the removal of an effect, relative to the test's root mean square force.
-/// If the noise is larger, the noise is the smallest visible change.
+/// The change must also exceed the noise.
 const LEAST_PART: f64 = 0.005;
-/// Constant part of the force noise of a protocol, N.
+/// Constant part of the standard deviation of the force noise, N.
 const NOISE_N: f64 = 0.5;
 
 impl Case {
@@ -29,7 +29,7 @@ impl Case {
         };
         for k in 0..self.effects.len() {
             let mut without = self.clone();
-            // An effect of strength 0 is not simulated.
+            // At strength 0, an effect has no influence, so this run is the campaign without it.
             without.effects[k].1 = 0.0;
             if self.is_moved(&whole, &without.run()?) {
                 add(self.effects[k].0.split(':').next().unwrap_or_default());

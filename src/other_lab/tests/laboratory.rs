@@ -1,5 +1,5 @@
-//! Tests of the laboratory as a whole: dampers dissipate energy, the integrator converges, and the influence of every
-//! law grows with its strength.
+//! Tests of the second laboratory as a whole: dampers dissipate energy, the integrator converges, and the influence of every law grows with
+//! its strength.
 
 use dashpot_other_lab::{
     Accuracy, Campaign, Case, Kind, LEFT_OUT_PREFIX, LabError, Plan, Protocol, TRUTH_FILE, effects,
@@ -7,7 +7,7 @@ use dashpot_other_lab::{
 use std::collections::{BTreeMap, BTreeSet};
 use std::f64::consts::TAU;
 
-/// Makes a case without noise on the reduced plan, which is fast.
+/// Makes a case without noise on the plan [`Plan::Reduced`], which has few tests.
 fn quiet(kind: Kind, seed: u64) -> Case {
     let protocol = Protocol { plan: Plan::Reduced, noise_percent: 0.0, ..Protocol::default() };
     Case { protocol, ..Case::new(kind, seed) }
@@ -20,15 +20,15 @@ fn laws() -> impl Iterator<Item = (&'static str, String)> {
         .flat_map(|effect| effect.laws.iter().map(|(law, _)| (effect.name, format!("{}:{law}", effect.name))))
 }
 
-/// Computes the root mean square difference of two campaigns over the tests. The difference of the force is relative to
-/// the noise, which is 2 % of the root mean square force plus 0.5 N.
+/// Computes the root mean square difference of two campaigns over all tests. It includes the difference of the force relative to the noise,
+/// which is 2 % of the rms force plus 0.5 N. It also includes the difference of the displacement relative to 0.1 mm.
 fn change(a: &Campaign, b: &Campaign) -> f64 {
     let of_test = a.tests.iter().zip(&b.tests).map(|(a, b)| {
         assert_eq!((&a.name, a.time_s.len()), (&b.name, b.time_s.len()));
         let count = b.clean_force_n.len() as f64;
         let noise = 0.02 * (b.clean_force_n.iter().map(|f| f * f).sum::<f64>() / count).sqrt() + 0.5;
         let force = a.clean_force_n.iter().zip(&b.clean_force_n).map(|(a, b)| ((a - b) / noise).powi(2)).sum::<f64>();
-        // Displacement errors are relative to 0.1 mm.
+        // The difference of the displacement is relative to 0.1 mm.
         let place = a.displacement_m.iter().zip(&b.displacement_m).map(|(a, b)| ((a - b) / 1e-4).powi(2)).sum::<f64>();
         (force + place) / count
     });
@@ -41,14 +41,15 @@ fn dampers_take_energy_over_closed_cycles() {
         for seed in 0..6 {
             let campaign = quiet(kind, seed).run().unwrap();
             for test in campaign.tests {
-                // Integrate over the displacement of the last of three cycles, by the trapezoidal rule.
+                // The work is the integral of the force over the displacement of the last of three cycles, by the trapezoidal rule.
                 let frequency: f64 = test.name.split('_').find_map(|w| w.strip_suffix("Hz")).unwrap().parse().unwrap();
                 let begin = test.time_s.last().unwrap() - 1.0 / frequency - 1e-9;
                 let from = test.time_s.partition_point(|t| *t < begin);
                 let (x, f) = (&test.displacement_m[from..], &test.clean_force_n[from..]);
                 let work: f64 = (1..x.len()).map(|i| 0.5 * (f[i] + f[i - 1]) * (x[i] - x[i - 1])).sum();
                 let swing = x.iter().fold(0.0f64, |m, x| m.max(x.abs()));
-                // A seal friction of 15 N acts over four amplitudes per cycle. Require at least half of this work.
+                // The smallest seal friction, 15 N, acts over four amplitudes per cycle. The work must be at least half of that of this
+                // friction.
                 assert!(work > 15.0 * 2.0 * swing, "{kind:?} {seed} {}: {work} J", test.name);
             }
         }
@@ -113,7 +114,7 @@ fn laws_grow_from_nothing(is_tested: impl Fn(usize) -> bool) {
         let [tiny, small, whole] = [1e-4, 0.2, 1.0].map(at);
         assert!(tiny < 0.03, "{law} at 1e-4: {tiny}");
         assert!(tiny < small && small < whole, "{law}: {tiny} {small} {whole}");
-        // The rms change must be comparable to the noise of one sample.
+        // At strength 1, the rms change of the force must be at least 0.8 times the noise of one sample.
         assert!(whole > 0.8, "{law} at 1: {whole}");
     }
 }
@@ -158,7 +159,7 @@ fn same_seed_gives_the_same_bytes_and_a_reference_differs_in_noise_alone() {
             .collect()
     };
     let first = bytes("first", &case);
-    // Another thread does other work at the same time.
+    // Another thread simulates at the same time, so that a shared state would change the result.
     let again = std::thread::scope(|s| {
         let other = s.spawn(|| quiet(Kind::Monotube, 9).run().unwrap());
         let again = bytes("again", &case);
@@ -187,7 +188,7 @@ fn delay_and_offsets_are_those_asked_for() {
     let (plain, late) = (case.run().unwrap(), late.run().unwrap());
     let of = |c: &Campaign| c.tests.iter().find(|t| t.name == "sine_25mm_4Hz").unwrap().clone();
     let (plain, late) = (of(&plain), of(&late));
-    // The sample rate is 1 kHz, so the delayed force equals the force five samples earlier.
+    // After decimation, the sample rate of this test is 1 kHz, so a delay of 5 ms gives the force five samples earlier.
     for i in 500..plain.force_n.len() {
         assert!((late.force_n[i] - 25.0 - plain.force_n[i - 5]).abs() < 0.02 * plain.force_n[i - 5].abs() + 8.0, "{i}");
         assert!((late.displacement_m[i] - plain.displacement_m[i] - 0.003).abs() < 1e-9);

@@ -24,7 +24,8 @@ impl Rival {
     }
 }
 
-/// Builds the section of the comparison. Returns `None` if no model of the literature was compared.
+/// Builds the report section that compares the model with models of the literature. Returns `None` if none was
+/// compared.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival], words: &Words) -> Option<Section> {
     if validation.against.is_empty() {
         return None;
@@ -44,8 +45,8 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival]
     Some(Section::new("against", words.against_section, blocks))
 }
 
-/// Finds the test with the largest relative error of the validated model, among the fitted tests (`used`) or the
-/// left-out tests.
+/// Finds the index of the test with the largest relative error of the validated model. Searches the fitted tests if
+/// `used` is true, and the left-out tests otherwise. Returns `None` if there are no such tests.
 fn hardest(validation: &Validation, used: bool) -> Option<usize> {
     let tests = &validation.tests;
     (0..tests.len())

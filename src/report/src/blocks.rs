@@ -8,7 +8,7 @@ use dashpot_identification::limits::Overall;
 /// A titled part of the report.
 #[derive(Debug, Clone)]
 pub struct Section {
-    /// Anchor inside the page, unique; letters, digits and hyphens.
+    /// HTML anchor, unique in the page: letters, digits and hyphens.
     pub id: String,
     /// Heading.
     pub title: String,
@@ -16,7 +16,7 @@ pub struct Section {
     pub blocks: Vec<Block>,
     /// Alternative parts, such as the single tests. The reader selects one at a time. Most sections have none.
     pub choices: Vec<Section>,
-    /// Whether only the complete print includes the section.
+    /// Whether the brief print omits the section and only the complete print includes it.
     pub beyond: bool,
     /// Whether the section is collapsed until the reader clicks its title.
     pub folded: bool,
@@ -25,9 +25,9 @@ pub struct Section {
 /// One piece of a section.
 #[derive(Debug, Clone)]
 pub enum Block {
-    /// The main sentences of the section, in larger type.
+    /// Main sentences of a section, in a larger font.
     Lead(String),
-    /// A verdict and its sentence.
+    /// Verdict on limits, and the sentence that explains it.
     Verdict(Overall, String),
     /// A heading inside the section.
     Heading(String),

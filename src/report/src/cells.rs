@@ -18,11 +18,11 @@ pub struct Cell {
 pub enum Value {
     /// No value: the cell has only its text.
     Words,
-    /// A number in the unit of the heading.
+    /// A number in the unit that the heading of the column states.
     Number(f64),
     /// A number with its own unit, in a column whose rows have different units.
     Measured(f64, String),
-    /// The ends of an interval, in the unit of the heading or in their own unit.
+    /// Lower and upper end of an interval, and their unit. An empty unit means the unit of the column heading.
     Between([f64; 2], String),
 }
 
@@ -42,7 +42,7 @@ impl Cell {
         Self { text: value.to_string(), value: Value::Number(value as f64) }
     }
 
-    /// Creates a cell from a displacement or velocity in SI. The cell shows mm or mm/s.
+    /// Creates a cell from a displacement, m, or a velocity, m/s. The cell shows mm or mm/s.
     pub fn milli(si: f64) -> Self {
         Self { text: numbers::milli(si), value: Value::Number(1e3 * si) }
     }
@@ -52,13 +52,14 @@ impl Cell {
         Self { text: numbers::fraction(value), value: Value::Measured(100.0 * value, "%".into()) }
     }
 
-    /// Creates a cell from a value. The cell shows the unit that engineers use for the quantity.
+    /// Creates a cell from a value in the SI unit `unit`. The cell shows the unit that engineers use for the quantity,
+    /// such as mm.
     pub fn measured(value: f64, unit: &str) -> Self {
         let (factor, usual) = reading_unit(value, unit);
         Self { text: numbers::with_unit(value, unit), value: Value::Measured(factor * value, usual) }
     }
 
-    /// Creates two cells in one unit: a value, and the ends of its interval.
+    /// Creates two cells from a value and the ends of its interval in the SI unit `unit`. Both cells show one unit.
     pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> [Self; 2] {
         let (factor, usual) = reading_unit(value, unit);
         let (text, ends) = numbers::with_interval(value, low, high, unit, words);
@@ -68,7 +69,7 @@ impl Cell {
         ]
     }
 
-    /// Creates a cell from the ends of an interval, in the unit of the heading.
+    /// Creates a cell from the ends of an interval, in the unit of the column heading.
     pub fn span(ends: [f64; 2], write: impl Fn(f64) -> String) -> Self {
         let text = format!("{} … {}", write(ends[0]), write(ends[1]));
         Self { text, value: Value::Between(ends, String::new()) }

@@ -1,4 +1,4 @@
-//! The certificate, a separate page: verdict, diagram with the limits, table of every limit, and the origin of the data.
+//! The certificate of a check against limits, a separate page: verdict, diagram, table of every limit, and origin of the data.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -22,9 +22,9 @@ pub struct CertificateInput<'a> {
     pub data: String,
     /// Path of the file of limits.
     pub limits: String,
-    /// Force of the model at constant velocity, m/s and N; may be empty.
+    /// Points of the model's curve: constant velocity, m/s, and force, N. May be empty.
     pub curve: &'a [[f64; 2]],
-    /// Origin of the results.
+    /// Origin of the results: version, date, command and input files.
     pub made: &'a Made,
     /// Texts in the language of the certificate.
     pub words: &'a Words,
@@ -96,7 +96,7 @@ fn table(found: &Certificate, words: &Words) -> Table {
     let remark = |text, one: &Checked, value: f64| {
         words.fill(text, &[("verdict", verdict(one.verdict)), ("value", &*digits(value, 2))])
     };
-    // Times have an uncertainty, frictions a part of damping.
+    // A verdict on a time may depend on its uncertainty, ms. A measured friction may contain damping, N.
     let measured_verdict = |one: &Checked| match (one.deciding_uncertainty(), one.damping_in_friction()) {
         (Some(uncertainty), _) => remark(words.certificate_unsure, one, 1e3 * uncertainty),
         (None, Some(damping)) => remark(words.certificate_damping, one, damping),

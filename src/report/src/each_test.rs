@@ -1,4 +1,4 @@
-//! The single tests, each with its errors, plots and notes of the cleaning.
+//! Parts of a report for single tests: errors, plots, and notes on the cleaning of the record.
 
 use super::blocks::{Block, Figure, Section};
 use super::numbers::{digits, error, force, frequency, milli, percent};
@@ -6,10 +6,11 @@ use crate::plot::{in_space, of_test};
 use crate::words::Words;
 use dashpot_identification::validation::{Compared, TestValidation, Validation};
 
-/// Largest number of tests with plots, so that a browser opens the page without delay. A test adds about 70 kB.
+/// Largest number of tests with plots. A test adds about 70 kB, so a browser opens a page of this size without delay.
 const MOST_SHOWN: usize = 120;
 
-/// Builds one alternative part per test. The worst test comes first.
+/// Builds one alternative part for each of the [`MOST_SHOWN`] tests with the largest relative errors, in decreasing
+/// order.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Section {
     let cycles = of_test::CYCLES_SHOWN.to_string();
     let mut blocks = vec![Block::Paragraph(words.fill(words.single_about, &[("cycles", &cycles)]))];
@@ -22,7 +23,7 @@ pub fn section(validation: &Validation, tests: &[Compared<'_>], words: &Words) -
     Section { choices, ..Section::new("single-tests", words.single_section, blocks) }
 }
 
-/// Builds the loops and errors of the worst test for the first page.
+/// Builds the plots and the sentence on the errors of the worst test, which has the index `index`.
 pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, words: &Words) -> Section {
     let (figures, compared) = (&validation.tests[index], &tests[index]);
     let title = words.fill(words.worst_section, &[("test", &figures.name)]);
@@ -36,7 +37,7 @@ pub fn worst(validation: &Validation, tests: &[Compared<'_>], index: usize, word
     Section::new("worst", title, vec![Block::Figures(plots), Block::Paragraph(about)])
 }
 
-/// Returns the indices of the tests to plot. The worst test comes first, and the number of tests is limited.
+/// Returns the indices of at most [`MOST_SHOWN`] tests to plot, in the order of decreasing relative error of the model.
 fn by_error(validation: &Validation) -> Vec<usize> {
     let mut places: Vec<usize> = (0..validation.tests.len()).collect();
     let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
@@ -107,7 +108,8 @@ fn in_words(figures: &TestValidation, compared: &Compared<'_>, words: &Words) ->
     sentences.join(" ")
 }
 
-/// Converts a test's name to a portable part of a file name. The serial number keeps the file name unique.
+/// Converts a test's name to at most 60 characters of a portable file name. A number before this text keeps the file
+/// name unique.
 fn file_name(name: &str) -> String {
     let safe = |c: char| {
         if c.is_ascii_alphanumeric() || c == '-' || c == '_' || c == '.' { c } else { '_' }

@@ -1,4 +1,4 @@
-//! Errors by amplitude, by peak velocity and by test.
+//! Errors of model and FV curve, by amplitude, by peak velocity and by test.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::numbers::{error, force, frequency, milli, percent};
@@ -8,7 +8,7 @@ use crate::words::Words;
 use dashpot_identification::validation::{Deviation, ErrorMatrix, Errors, MatrixRow, SLOW_PEAK_VELOCITY, Validation};
 use dashpot_messages::Message;
 
-/// Builds the pictures of the error matrix and of the error of every test.
+/// Builds the figures of the error by amplitude and peak velocity, and of the error of every test.
 pub fn pictures(validation: &Validation, words: &Words) -> Section {
     let mut blocks = Vec::new();
     let map = overview::error_map(validation, words);
@@ -17,7 +17,7 @@ pub fn pictures(validation: &Validation, words: &Words) -> Section {
     Section::new("matrix", words.matrix_section, blocks)
 }
 
-/// Builds the error matrix as tables.
+/// Builds the tables of the errors by amplitude and by peak velocity.
 pub fn rows(validation: &Validation, words: &Words) -> Vec<Block> {
     let [by_amplitude, apart, second] = labelled(&validation.matrix, words, milli);
     if by_amplitude.is_empty() {
@@ -44,7 +44,7 @@ fn labelled(matrix: &ErrorMatrix, words: &Words, write: fn(f64) -> String) -> [V
     ]
 }
 
-/// Builds the table of single tests.
+/// Builds the section with one table row per test.
 pub fn tests(validation: &Validation, words: &Words) -> Section {
     let rows = validation
         .tests
@@ -89,7 +89,7 @@ pub fn before_and_after(matrix: &ErrorMatrix, words: &Words) -> Vec<Block> {
     blocks
 }
 
-/// Formats a value with [`milli`] and removes trailing zeros.
+/// Formats a displacement, m, or a velocity, m/s, with [`milli`], and removes trailing zeros after the decimal point.
 fn short(si: f64) -> String {
     let text = milli(si);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
@@ -154,7 +154,7 @@ fn figures(errors: &Errors) -> Vec<Cell> {
     cells
 }
 
-/// Formats mean error, error in percent and rms error.
+/// Builds the cells of mean error, N, error in percent of the force, and rms error, N.
 pub(crate) fn three(figures: &Deviation) -> [Cell; 3] {
     [
         Cell::number(figures.mean_error_n, error),

@@ -29,7 +29,8 @@ pub fn workbook(
     }
 }
 
-/// Builds the sections: error over whole records, inventory, estimates, measurement errors, used tests, and remarks.
+/// Builds the sections on a fit: error over whole records, inventory of effects, estimates, measurement errors, used
+/// tests, and remarks.
 fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], words: &Words) -> Vec<Section> {
     let count = fit.tests.len().to_string();
     let answer = words.fill(words.fit_answer, &[("tests", &count), ("error", &in_words(over_whole_records, words))]);

@@ -80,13 +80,13 @@ fn of_groups(answers: &GroupResults, words: &Words) -> Table {
     Table { caption: words.groups_caption.to_owned(), columns, rows, sortable: true }
 }
 
-/// Size of the figure, px, for the full width of a printed page.
+/// Width and height of the figure of the FV curves, px, for the full width of a printed page.
 const SIZE: [f64; 2] = [880.0, 400.0];
 /// Number of groups with a distinct hue. Further groups are gray.
 const HUES: usize = 8;
 
 /// Draws the FV curves of all groups and of the reference in one figure. The curves include friction and gas force. The curve of a group
-/// covers the velocity range of the group's tests, and that of the reference the range of the first group that has a reference.
+/// covers the velocity range of the group's tests. The curve of the reference covers the range of the first group that has a reference.
 fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     let reach = |diagnosis: &Diagnosis| {
         let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
@@ -130,7 +130,8 @@ fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     Some(Figure::new("group-curves", plane.draw_named(&names, SIZE, words)).saying(words.group_curves_caption))
 }
 
-/// Returns whether the records of a group determine a parameter, so that a comparison with the reference is valid.
+/// Returns whether the records of a group determine a parameter, so that a comparison with the reference is valid. `velocity`, m/s, is that
+/// of a point of the FV curve.
 fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) -> bool {
     if diagnosis.reference.is_none() {
         return false;
@@ -142,7 +143,7 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
     }
 }
 
-/// Returns whether motion at these velocities reaches a velocity in its direction.
+/// Returns whether one of `velocities`, m/s, has the direction of `velocity` and at least its magnitude.
 fn reaches(mut velocities: impl Iterator<Item = f64>, velocity: f64) -> bool {
     velocities.any(|of| of * velocity > 0.0 && of.abs() >= velocity.abs())
 }

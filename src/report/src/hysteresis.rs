@@ -1,4 +1,4 @@
-//! Hysteresis of every test that has whole cycles.
+//! Force hysteresis of every test with whole cycles: gap, area and energy of the loop.
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{comparable, error};

@@ -7,8 +7,8 @@ use crate::plot::inventory::stacked;
 use crate::words::Words;
 use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
-/// Builds the section for a diagnosis. Returns `None` if neither the given nor the improved model has an effect other
-/// than the FV curve.
+/// Builds the section of a diagnosis with the inventory table. Returns `None` if neither the given nor the improved
+/// model has an effect other than the FV curve.
 pub fn section(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) -> Option<Section> {
     let mut table = table(items, true, words)?;
     words.inventory_caption.clone_into(&mut table.caption);
@@ -19,8 +19,8 @@ pub fn section(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(Section::new("inventory", words.inventory_section, blocks))
 }
 
-/// Builds the table. `status` adds a column that states whether an effect was kept, added, replaced or removed. A fit
-/// has no such column, because it begins without a given model.
+/// Builds the inventory table. `status` adds a column that states whether an effect was kept, added, replaced or
+/// removed. A fit has no such column, because it begins without a given model. Returns `None` without effects.
 pub fn table(items: &[InventoryItem], status: bool, words: &Words) -> Option<Table> {
     if items.is_empty() {
         return None;

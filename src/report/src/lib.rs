@@ -1,6 +1,6 @@
 //! The validation report: one self-contained HTML file that needs no network and can be printed.
 //!
-//! [`diagnosis`] writes the report of `dashpot diagnose` with the same blocks.
+//! [`diagnosis`] writes the report of `dashpot diagnose` with the same kinds of [`Block`].
 //!
 //! A report is a list of [`Section`]s with a few kinds of [`Block`]. Every section builder has its own file and does not contain HTML.
 //! [`page`] writes the HTML and does not depend on dampers. [`ReportInput::extra`] adds further sections, such as before/after pictures or
@@ -62,7 +62,7 @@ pub struct ReportInput<'a> {
     pub print: Print,
     /// Origin of the report.
     pub made: Made,
-    /// Force of the model at constant velocity, m/s and N.
+    /// Points of the model's FV curve: constant velocity, m/s, and force, N.
     pub curve: Vec<[f64; 2]>,
     /// Name of the validated model file.
     pub model_file: String,
@@ -70,7 +70,7 @@ pub struct ReportInput<'a> {
     pub data: String,
     /// Results of the comparison of model and records.
     pub validation: &'a Validation,
-    /// The compared tests, in the order of `validation.tests`. They supply the plots and cleaning notes.
+    /// Records with the computed forces, in the order of `validation.tests`. They supply the plots and cleaning notes.
     pub tests: &'a [Compared<'a>],
     /// Parameters of the model. Without parameters, the report omits the section.
     pub parameters: Vec<ParameterRow>,
@@ -86,7 +86,7 @@ impl<'a> ReportInput<'a> {
     /// Collects the complete report of a model file, its records and their comparison.
     ///
     /// # Errors
-    /// The simulation cannot step with the model's parameters.
+    /// The simulation cannot compute time steps with the model's parameters.
     pub fn from_validation(
         model: &ModelFile,
         campaign: &Campaign,
@@ -127,7 +127,7 @@ pub fn render(input: &ReportInput<'_>) -> String {
     page::page(input.words.title_validation, &subtitle(input), &sections(input), input.words, input.print)
 }
 
-/// Renders other sections in the format of the report.
+/// Renders the given sections as one HTML document in the format of the validation report.
 pub fn render_sections(title: &str, subtitle: &str, sections: &[Section], words: &Words) -> String {
     page::page(title, subtitle, sections, words, Print::Whole)
 }
@@ -172,7 +172,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     let limits = validation.limits.as_ref().map(|found| certificate::section(found, words));
     let limits_id = limits.as_ref().map(|section| section.id.clone());
     let mut answer = summary::section(validation, words);
-    // The verdict on the limits comes first. The table of the limits follows later, because the certificate prints it too.
+    // The verdict on the limits comes first. The table of the limits follows later, because the separate certificate also contains it.
     if let Some(Block::Verdict(passed, text)) = limits.as_ref().and_then(|section| section.blocks.first()) {
         answer.blocks.insert(0, Block::Verdict(*passed, text.clone()));
     }
@@ -205,7 +205,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     sections.extend(parameters::section(&input.parameters, words).map(Section::beyond));
     sections.push(made::section(&input.made, words).beyond());
     if input.family.is_some() {
-        // All sections are collapsed, except curves, errors and loops by setting, and a verdict on limits.
+        // For an adjustable damper, all sections are collapsed, except curves, errors and loops by setting, and the table of limits.
         let kept = limits_id.as_deref();
         for section in sections.iter_mut().skip(first).filter(|section| Some(section.id.as_str()) != kept) {
             *section = section.clone().folded();

@@ -1,4 +1,4 @@
-//! Origin of a report. It allows the reproduction of the report.
+//! Origin of a report: the data that a reader needs to reproduce the report.
 //!
 //! The origin consists of version, command, files with their hashes, and an optional date. No function reads the clock, so equal input
 //! gives equal bytes.
@@ -14,7 +14,7 @@ use std::path::Path;
 /// Identity of an input file: name, size and hash.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MadeFrom {
-    /// Name from the command line.
+    /// Name of the file, as on the command line.
     pub name: String,
     /// Size in bytes.
     pub bytes: u64,
@@ -27,7 +27,7 @@ pub struct MadeFrom {
 pub struct Made {
     /// Version of dashpot.
     pub version: String,
-    /// Date given by the user or by `SOURCE_DATE_EPOCH`.
+    /// Date of the report, given by the user or by the environment variable `SOURCE_DATE_EPOCH`.
     pub date: Option<String>,
     /// The command line without output options, `--date` and `--force`.
     pub command: String,
@@ -47,8 +47,8 @@ impl Made {
     }
 }
 
-/// Returns the date of a report: the given date, or the date of `SOURCE_DATE_EPOCH`, or no date. The function does not read the clock, so
-/// equal input gives an equal report.
+/// Returns the date of a report: the given date, or the date of the environment variable `SOURCE_DATE_EPOCH`, or no date. The function does
+/// not read the clock, so equal input gives an equal report.
 ///
 /// # Errors
 /// `SOURCE_DATE_EPOCH` is not a number of seconds.
@@ -63,7 +63,7 @@ pub fn date(given: Option<&str>) -> anyhow::Result<Option<String>> {
     }
 }
 
-/// Quotes words and joins them to one line, which a shell splits into the same words.
+/// Quotes the words of a command and joins them to one line, which a POSIX shell splits into these words again.
 pub fn command_line(words: impl IntoIterator<Item = String>) -> String {
     let plain = |c: char| c.is_alphanumeric() || "-_./=,:+%@".contains(c);
     let quoted = |word: String| match () {
@@ -107,7 +107,8 @@ fn hexadecimal(bytes: &[u8]) -> String {
 /// Anchor of the section on the origin.
 pub(crate) const ID: &str = "made";
 
-/// Lists version, date and command, with instructions to reproduce the report and a joint hash of several files.
+/// Lists version, date and command, and instructions to reproduce the report. With several input files, adds the SHA-256 of the list of
+/// their hashes.
 pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     let mut lines = vec![words.fill(words.made_version, &[("version", &made.version)])];
     lines.extend(made.date.as_ref().map(|date| words.fill(words.made_date, &[("date", date)])));
@@ -123,7 +124,7 @@ pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     lines
 }
 
-/// Builds the section on the origin, which is the last of a report.
+/// Builds the section on the origin of a report, its last section.
 pub fn section(made: &Made, words: &Words) -> Section {
     let mut blocks: Vec<Block> = vec![Block::List(lines(made, words))];
     let row = |f: &MadeFrom| vec![f.name.as_str().into(), Cell::count(f.bytes as usize), f.sha256.as_str().into()];
@@ -138,10 +139,10 @@ pub fn section(made: &Made, words: &Words) -> Section {
     Section::new(ID, words.made_section, blocks)
 }
 
-/// Converts seconds since 1970, the unit of `SOURCE_DATE_EPOCH`, to a day of the Gregorian calendar.
+/// Converts seconds since 1970-01-01 00:00 UTC to a day of the Gregorian calendar, formatted as `YYYY-MM-DD`.
 pub fn day_of(seconds: u64) -> String {
-    // Years begin on 1 March, counted from year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible low-level date
-    // algorithms).
+    // In this calculation, years begin on 1 March, counted from year 0, so that a leap day ends a year (H. Hinnant, chrono-compatible
+    // low-level date algorithms).
     let days = seconds / 86_400 + 719_468;
     let (era, day_of_era) = (days / 146_097, days % 146_097);
     let year_of_era = (day_of_era - day_of_era / 1460 + day_of_era / 36_524 - day_of_era / 146_096) / 365;

@@ -1,7 +1,7 @@
 //! Report of a simulated manoeuvre of a vehicle.
 //!
-//! The report compares the damper forces with the model and with the model's FV curve alone. It also contains the road, the chassis, the
-//! operating region of the dampers, and the vehicle.
+//! The report compares two simulations: one with the full damper model, and one with the model's FV curve alone. It also contains the road,
+//! the motion of the chassis, the operating region of the dampers, and the vehicle data.
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
@@ -17,43 +17,44 @@ use dashpot_simulation::chatter::RINGS;
 use dashpot_simulation::vehicle::{CORNERS, Car, Quiet, Run, SLOW, Sample};
 use serde::Serialize;
 
-/// Range of displacement and range of velocity.
+/// Ranges, from the smallest to the largest value, of the displacement and velocity of a damper.
 #[derive(Serialize, Debug, Clone, Copy)]
 pub struct Region {
-    /// Displacement, m.
+    /// Smallest and largest displacement, m.
     pub displacement_m: [f64; 2],
-    /// Velocity, m/s.
+    /// Smallest and largest velocity, m/s.
     pub velocity_m_s: [f64; 2],
 }
 
 /// Operating region, forces and energy of one damper.
 #[derive(Serialize, Debug, Clone)]
 pub struct CornerFigures {
-    /// Name of the corner.
+    /// Name of the corner of the vehicle at which the damper is.
     pub corner: &'static str,
-    /// Region of displacement and velocity in the manoeuvre.
+    /// Ranges of displacement and velocity that the damper reached in the manoeuvre.
     pub saw: Region,
-    /// Largest force in the run with the model, N.
+    /// Largest magnitude of the force in the simulation with the full model, N.
     pub largest_force_n: f64,
-    /// Largest force in the run with the FV curve, N.
+    /// Largest magnitude of the force in the simulation with the FV curve alone, N.
     pub largest_force_fv_n: f64,
-    /// rms difference of the forces with model and curve, N, without the error of the coupling step ([`Figures::quiet_step_s`]).
+    /// rms difference between the forces of the full model and of the FV curve alone, N, without the error of the coupling step
+    /// ([`Figures::quiet_step_s`]).
     pub rms_force_difference_n: f64,
-    /// rms error of the force, N, due to chatter in the host's step: for the model, and for the curve. `None` if the coupling does not
-    /// chatter.
+    /// rms error of the force, N, due to chatter in the host's step: for the full model, and for the FV curve alone. `None` if the coupling
+    /// does not chatter.
     pub rms_chatter_n: Option<[f64; 2]>,
-    /// rms of the force with the model after subtraction of its mean, N.
+    /// rms of the full model's force after subtraction of its mean, N.
     pub rms_force_n: f64,
-    /// Dissipated energy with the model, J.
+    /// Energy that the damper dissipates in the simulation with the full model, J.
     pub energy_j: f64,
-    /// Dissipated energy with the curve, J.
+    /// Energy that the damper dissipates in the simulation with the FV curve alone, J.
     pub energy_fv_j: f64,
     /// Fraction of the time in which displacement and velocity are close to those of a rig test. The limit is a tenth of the tests' range,
-    /// for both quantities.
+    /// for both quantities. `None` without rig tests.
     pub fraction_inside_tests: Option<f64>,
     /// Velocities, m/s, at which the model's FV curve ends, or `None` for a curve without ends.
     pub curve_ends_m_s: Option<[f64; 2]>,
-    /// Fraction of the time beyond the ends of the curve, where the force is extrapolated linearly.
+    /// Fraction of the time in which the velocity is beyond the ends of the FV curve, where the force is extrapolated linearly.
     pub fraction_beyond_curve: f64,
 }
 
@@ -62,22 +63,23 @@ pub struct CornerFigures {
 pub struct Figures {
     /// Name of the manoeuvre.
     pub manoeuvre: String,
-    /// Coupling step of the host, s.
+    /// Time step, s, at which the host (the vehicle simulation) exchanges motion and force with the dampers.
     pub step_s: f64,
-    /// Largest heave acceleration for the model and for the curve, m/s².
+    /// Largest magnitude of the body's heave acceleration, m/s²: with the full model, and with the FV curve alone.
     pub largest_heave_acceleration_m_s2: [f64; 2],
-    /// rms heave acceleration for the model and for the curve, m/s².
+    /// rms heave acceleration of the body, m/s²: with the full model, and with the FV curve alone.
     pub rms_heave_acceleration_m_s2: [f64; 2],
-    /// rms difference of heave between model and curve, m, without the error of the coupling step.
+    /// rms difference of the body's heave, m, between the simulations with the full model and with the FV curve alone. It is free of the
+    /// error of the coupling step.
     pub rms_heave_difference_m: f64,
-    /// Shorter step, s, for the comparison of model and curve. `None` if the coupling of force and motion chatters with neither model in
-    /// the host's step.
+    /// Shorter coupling step, s, for the comparison of the full model with the FV curve alone. `None` if the coupling of force and motion
+    /// chatters with neither of them in the host's step.
     pub quiet_step_s: Option<f64>,
-    /// Largest ratio c h / m of the coupling: damping times step divided by mass.
+    /// Largest ratio c h/m of the coupling: damping c at the wheel, N s/m, times coupling step h, s, divided by unsprung mass m, kg.
     pub coupling: f64,
-    /// Largest ratio c h / m of the coupling while the damper moves.
+    /// Largest ratio c h/m, as in [`Figures::coupling`], at damper velocities above [`SLOW`].
     pub coupling_moving: f64,
-    /// Region that rig tests covered.
+    /// Ranges of displacement and velocity that the rig tests covered. `None` without rig tests.
     pub rig_tests: Option<Region>,
     /// Key figures of every corner.
     pub corners: Vec<CornerFigures>,
@@ -86,7 +88,7 @@ pub struct Figures {
 /// Points of displacement and velocity that the rig tests covered.
 #[derive(Debug, Clone)]
 pub struct Covered {
-    /// Displacement and velocity range of the tests.
+    /// Ranges of displacement and velocity of all rig tests.
     pub region: Region,
     /// Loops of the tests: points of displacement, m, and velocity, m/s.
     pub loops: Vec<Vec<[f64; 2]>>,
@@ -100,7 +102,7 @@ fn region(points: impl Iterator<Item = [f64; 2]>) -> Region {
 }
 
 impl Covered {
-    /// Makes the loops and their region from records.
+    /// Makes the loops of displacement and velocity, and their ranges, from the records of rig tests.
     pub fn from_records(records: &[Record]) -> Self {
         let points = |r: &Record| r.displacement.iter().zip(&r.velocity).map(|(x, v)| [*x, *v]).collect();
         let loops: Vec<Vec<[f64; 2]>> = records.iter().map(points).collect();
@@ -136,7 +138,8 @@ fn rms(values: impl Iterator<Item = f64>) -> f64 {
     (sum / n.max(1) as f64).sqrt()
 }
 
-/// Evaluates the runs with model and curve. `quiet` contains both runs in shorter steps.
+/// Computes the key figures from the simulations with the full model and with the FV curve alone. `step` is the host's step, s. `quiet`
+/// contains both simulations in shorter steps.
 pub fn figures(
     name: &str,
     step: f64,
@@ -199,8 +202,8 @@ pub fn figures(
     }
 }
 
-/// Selects the runs with model and curve for their comparison: those in shorter steps, if there are any. Their difference comes from the
-/// dampers alone.
+/// Selects the simulations to compare, with the full model and with the FV curve: those in shorter steps, if there are any. In shorter
+/// steps, their difference comes from the dampers and not from chatter.
 fn compared<'a>(host: [&'a Run; 2], quiet: Option<&'a Quiet>) -> [&'a Run; 2] {
     quiet.map_or(host, |quiet| quiet.runs.each_ref())
 }
@@ -212,15 +215,15 @@ pub struct ManoeuvreInput<'a> {
     pub figures: &'a Figures,
     /// Name of the model file.
     pub model_file: String,
-    /// Run with the model.
+    /// Simulation with the full damper model.
     pub model: &'a Run,
-    /// Run with the FV curve.
+    /// Simulation with the model's FV curve alone.
     pub curve: &'a Run,
-    /// Both runs in shorter steps, if the coupling chatters.
+    /// Both simulations in shorter steps, if the coupling of force and motion chatters in the host's step.
     pub quiet: Option<&'a Quiet>,
-    /// Rig tests, if available.
+    /// Displacements and velocities of the rig tests, if available.
     pub covered: Option<&'a Covered>,
-    /// The vehicle.
+    /// Parameters of the simulated vehicle.
     pub car: &'a Car,
     /// Speed of the vehicle, m/s.
     pub speed: f64,
@@ -270,7 +273,7 @@ impl ManoeuvreInput<'_> {
         ]
     }
 
-    /// Describes the largest difference between model and curve.
+    /// Describes the largest rms difference between the forces of the full model and of the FV curve, over the corners.
     fn answer(&self) -> String {
         let by = |c: &CornerFigures| c.rms_force_difference_n;
         let worst = self.figures.corners.iter().max_by(|a, b| by(a).total_cmp(&by(b)));
@@ -304,7 +307,8 @@ impl ManoeuvreInput<'_> {
         self.words.fill(self.words.manoeuvre_chassis, &figures)
     }
 
-    /// Returns the lines of both runs in drawing order, so that the model is on top.
+    /// Returns the lines of the simulations with the FV curve and with the full model, in drawing order. The line of the full model is on
+    /// top.
     fn both(&self, point: &dyn Fn(&Sample) -> [f64; 2]) -> Vec<Series> {
         vec![
             series(Role::FvOnly, self.words.fv_curve, self.curve, point),
@@ -334,7 +338,7 @@ impl ManoeuvreInput<'_> {
             let less = Series { role: Role::Model, label: words.model, lines, marks: Marks::Line };
             let svg = self.over_time(title(words.corner_difference), words.axis_difference, vec![less]);
             figures.push(Figure::new(format!("difference-time-{name}"), svg));
-            // The curve is drawn last, because its loop is narrow and the model's loops would cover it.
+            // The simulation with the FV curve is drawn last, because its loop is narrow and the loops of the full model would cover it.
             let loops =
                 self.both(&|s: &Sample| [1e3 * s.corner[i].velocity, s.corner[i].force]).into_iter().rev().collect();
             let plane = plane(title(words.corner_force_velocity), words.axis_velocity, words.axis_force, loops);
@@ -444,7 +448,7 @@ pub fn quiet_note(f: &Figures, words: &Words) -> Option<String> {
     Some(words.fill(words.manoeuvre_quiet, &figures))
 }
 
-/// Names the damper that spends the most time beyond the velocities of its identified FV curve.
+/// Formats a note that names the damper that spends the most time beyond the velocities of its identified FV curve.
 ///
 /// Returns `None` if no damper leaves these velocities.
 pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
@@ -458,7 +462,8 @@ pub fn beyond_note(f: &Figures, words: &Words) -> Option<String> {
     Some(words.fill(words.manoeuvre_beyond, &figures))
 }
 
-/// Formats the requirements of the coupling on a host. Returns `None` if there are none.
+/// Formats a warning about a ratio c h/m above [`RINGS`] (damping times coupling step divided by unsprung mass). The coupling then chatters
+/// or is unstable in an explicit host. Returns `None` otherwise.
 pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
     let [all, moving, mass, slow] =
         [f.coupling, f.coupling_moving, car.unsprung_mass, 1e3 * SLOW].map(|value| digits(value, 3));
@@ -469,7 +474,7 @@ pub fn coupling_note(f: &Figures, car: &Car, words: &Words) -> Option<String> {
     (f.coupling > RINGS).then(|| words.fill(words.coupling_chatter, &figures))
 }
 
-/// Formats a range in mm or mm/s.
+/// Formats a range of displacement, m, or of velocity, m/s, in mm or mm/s.
 fn span(range: [f64; 2]) -> Cell {
     Cell::span(range.map(|end| 1e3 * end), numbers::error)
 }

@@ -20,7 +20,7 @@ pub fn percent(value: f64) -> String {
     number(value, 2)
 }
 
-/// Formats a displacement in mm or a velocity in mm/s from SI, with three digits.
+/// Formats a displacement, m, in mm, or a velocity, m/s, in mm/s, with three digits.
 pub fn milli(si: f64) -> String {
     digits(1e3 * si, 3)
 }
@@ -52,13 +52,13 @@ pub fn comparable(value: f64, reference: f64) -> String {
     number(value, (2.0 - exponent).clamp(0.0, 6.0) as usize)
 }
 
-/// Formats a value with four digits in the unit that engineers use for the quantity: mm, N/mm, ms.
+/// Formats a value in the SI unit `unit` with four digits, in the unit that engineers use for the quantity: mm, N/mm, ms.
 pub fn with_unit(value: f64, unit: &str) -> String {
     let (factor, unit) = reading_unit(value, unit);
     spaced(digits(factor * value, 4), &unit)
 }
 
-/// Formats a value and its interval in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
+/// Formats a value and its interval, given in the SI unit `unit`, in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
 pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> (String, String) {
     let (factor, unit) = reading_unit(value, unit);
     let [value, low, high] = [value, low, high].map(|v| factor * v);

@@ -12,7 +12,7 @@ use std::fmt::Write as _;
 /// Extent of the printed page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Print {
-    /// The result and its evidence: two pages.
+    /// The result and its evidence on two pages, without the sections that have `beyond` set.
     #[default]
     Brief,
     /// All sections.
@@ -21,7 +21,7 @@ pub enum Print {
     Certificate,
 }
 
-/// Style of collapsed sections. Only a page with such a section includes it.
+/// CSS rule of collapsed sections. Only a page with such a section includes it.
 const FOLDED_CSS: &str =
     "details.folded > summary > h2 { display: inline-block; margin: 12px 0; border: 0; color: var(--link); }\n";
 
@@ -61,7 +61,7 @@ pub fn page(title: &str, subtitle: &str, sections: &[Section], words: &Words, pr
     html
 }
 
-/// Formats the labels of the script's buttons as attributes of the page's body.
+/// Formats the labels of the buttons that the page's script creates as `data-` attributes of the HTML `body`.
 fn texts_of_script(words: &Words) -> String {
     let texts = [
         ("all", words.all_tests_shown),
@@ -185,7 +185,7 @@ fn table(html: &mut String, table: &Table, words: &Words) {
     html.push_str("</tbody>\n</table>\n</div>\n");
 }
 
-/// Formats a number for the language of the page. A workbook stores the full number instead.
+/// Returns the text of a cell, with numbers in the format of the page's language.
 fn cell_text(cell: &Cell, words: &Words) -> String {
     if cell.value == Value::Words { cell.text.clone() } else { words.number(&cell.text) }
 }
@@ -204,7 +204,7 @@ fn groups(html: &mut String, columns: &[Column]) {
     html.push_str("</tr>\n");
 }
 
-/// Returns the class of a column. Numbers align right, and a line precedes the first column of a group.
+/// Returns the CSS class attribute of a column. Numbers align right, and a line precedes the first column of a group.
 fn class_of(columns: &[Column], index: usize) -> &'static str {
     let Some(column) = columns.get(index) else {
         return "";

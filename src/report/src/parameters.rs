@@ -21,15 +21,15 @@ pub struct ParameterRow {
     pub name: String,
     /// Value, in `unit`.
     pub value: f64,
-    /// Unit.
+    /// Unit of the value and its interval.
     pub unit: String,
-    /// Lower end of the value's interval, if known.
+    /// Lower end of the value's 95 % interval, if known.
     pub low: Option<f64>,
-    /// Upper end of the value's interval, if known.
+    /// Upper end of the value's 95 % interval, if known.
     pub high: Option<f64>,
     /// Source of the value: identified, measured, default, given.
     pub source: String,
-    /// Remark.
+    /// Remark in the last column of the table, unless `assumed` replaces it.
     pub remark: Remark,
     /// Assumption and its source, for a value that the data could not determine.
     pub assumed: Option<String>,
@@ -68,8 +68,8 @@ impl Remark {
     }
 }
 
-/// Formats the assumption about a parameter that the data could not determine, and its source. If the element of the parameter is off,
-/// `why` is the reason.
+/// Formats the assumption about a parameter that the data could not determine, and its source. If the element of the parameter is disabled,
+/// the text states the reason `why` instead.
 pub fn assumed(name: &str, value: f64, params: &Params, why: Option<&str>, words: &Words) -> String {
     assumed_by(name, value, (params, &PriorSet::default()), why, words)
 }
@@ -240,7 +240,7 @@ fn of_estimate(e: &Estimate) -> ParameterRow {
 /// Largest relative distance of a value from the center of a damper's own prior at which the prior counts as its source.
 const NEAR: f64 = 0.1;
 
-/// Formats the assumption about an estimate that the data could not determine. Returns `None` for a determined one.
+/// Formats the assumption about an estimate that the data could not determine. Returns `None` for an estimate that the data determined.
 pub fn assumed_of(e: &Estimate, params: &Params, words: &Words) -> Option<String> {
     assumed_of_damper(e, (params, &PriorSet::default()), words)
 }

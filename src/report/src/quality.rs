@@ -4,7 +4,8 @@ use crate::numbers::digits;
 use crate::words::Words;
 use dashpot_simulation::whole_records::Quality;
 
-/// Largest ratio of error to noise at which noise explains the error. A larger ratio indicates a deficiency of the model.
+/// Largest ratio of the model's mean error to the noise at which noise explains the error. A larger ratio indicates a deficiency of the
+/// model.
 const NOISE: f64 = 1.5;
 /// Largest mean error that is rated as good, percent of a test's largest force. A damper repeats within 1 to 2 % from test to test (Dixon,
 /// *The Shock Absorber Handbook*, 2007, chapter 10).
@@ -15,7 +16,7 @@ const FAIR: f64 = 5.0;
 /// Smallest ratio of the FV curve's error to the model's error at which the model counts as better than the FV curve.
 const BETTER: f64 = 1.05;
 
-/// Formats the rating as a sentence.
+/// Formats a rating of the model's error, in comparison with the noise and with the error of the FV curve, as a sentence.
 pub fn sentence(quality: &Quality, words: &Words) -> String {
     let Quality { model, fv_only, noise_n } = quality;
     let by_noise = model.mean_error_n / noise_n;

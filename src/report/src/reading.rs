@@ -1,4 +1,4 @@
-//! Remarks from reading the records: the detected sign, gaps, and inconsistent channels.
+//! Remarks from reading the records: the detected sign convention, gaps, and inconsistent channels.
 
 use crate::blocks::Block;
 use crate::words::Words;
@@ -8,8 +8,8 @@ use dashpot_records::{Campaign, Positive, SignFinding};
 /// Smallest confidence of a detected sign convention at which the report states it without a warning.
 const SURE_OF_SIGN: f64 = 0.9;
 
-/// Builds the blocks of a report: first the sign convention, as a warning if it is doubtful. A list of the remarks of
-/// reading, fit and model file follows.
+/// Builds the blocks of a report on the data: first the sign convention, as a warning if it is doubtful. A list
+/// follows, with the remarks from reading the records, of the fit, and on the model file.
 pub fn blocks(campaign: &Campaign, model: &ModelFile, words: &Words) -> Vec<Block> {
     let sign = sign_in_words(&campaign.sign, words);
     let doubtful = !campaign.sign.is_stated && campaign.sign.confidence < SURE_OF_SIGN;
@@ -25,13 +25,13 @@ pub fn blocks(campaign: &Campaign, model: &ModelFile, words: &Words) -> Vec<Bloc
     blocks
 }
 
-/// Returns sentences about the sign convention and about each remark of reading.
+/// Returns one sentence about the sign convention, and the remarks from reading the records.
 pub fn sentences(campaign: &Campaign, words: &Words) -> Vec<String> {
     let notes = campaign.notes.iter().map(|note| words.say(&note.text));
     std::iter::once(sign_in_words(&campaign.sign, words)).chain(notes).collect()
 }
 
-/// Formats the detected or given sign convention as a sentence.
+/// Formats the detected or given sign convention (whether rebound or compression is positive) as a sentence.
 pub fn sign_in_words(sign: &SignFinding, words: &Words) -> String {
     let direction = match sign.positive {
         Positive::Rebound => words.rebound,

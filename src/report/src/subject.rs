@@ -5,9 +5,9 @@ use crate::words::Words;
 use dashpot_messages::Message;
 use dashpot_records::{Record, TestMetadata, clock};
 
-/// Largest number of different values of an entry that are listed individually.
+/// Largest number of different values of an entry, such as the serial number, that are listed individually.
 const LISTED: usize = 3;
-/// Smallest start time of a record, s since 1970, that includes a date. A smaller value is a time on an unknown day.
+/// Smallest start time of a record, s since 1970-01-01, that includes a date. A smaller value is a time of an unknown day.
 const DAY: f64 = 86_400.0;
 
 /// Returns one line each for part, serial number, date and operator, which a certificate requires. Rig and temperature follow if they are
@@ -36,7 +36,7 @@ pub fn lines(records: &[&Record], words: &Words) -> Vec<String> {
     lines
 }
 
-/// Lists values. If there are more than [`LISTED`], lists only the first and the last.
+/// Lists values. If there are more than [`LISTED`], lists only the first, the last and the number of values. Returns `None` without values.
 fn in_short(values: &[String], words: &Words) -> Option<String> {
     match values {
         [] => None,
@@ -45,7 +45,7 @@ fn in_short(values: &[String], words: &Words) -> Option<String> {
     }
 }
 
-/// Returns the day of the measurement, or the first and the last day.
+/// Returns the day of the measurement, or the first and the last day. Returns `None` if no record has a date.
 fn when(records: &[&Record], words: &Words) -> Option<String> {
     let begins = records.iter().filter_map(|record| record.begins).filter(|seconds| *seconds >= DAY);
     let (first, last) = begins.fold((f64::MAX, f64::MIN), |(low, high), s| (low.min(s), high.max(s)));

@@ -1,4 +1,5 @@
-//! The result in a few sentences: the error of the model.
+//! The result of a validation in a few sentences: the error of the model, compared with the FV curve alone and with the
+//! noise.
 
 use super::blocks::{Block, Column, Section, Table};
 use super::numbers::{digits, error, force, percent};
@@ -16,7 +17,7 @@ pub fn section(validation: &Validation, words: &Words) -> Section {
     Section::new("answer", words.answer, blocks)
 }
 
-/// Builds the section with the table of the figures that support the result.
+/// Builds the section with the table of the errors of model and FV curve that support the result.
 pub fn figures(validation: &Validation, words: &Words) -> Section {
     Section::new("key", words.key_section, vec![Block::Table(key_table(validation, words))])
 }
@@ -99,7 +100,8 @@ fn worst_in_words(validation: &Validation, words: &Words) -> Option<String> {
     ))
 }
 
-/// Describes the noise, which is the lower bound of any model's error. Returns `None` if the noise is unknown.
+/// Describes the mean noise of the measured forces, which is the lower bound of any model's error. Returns `None` if
+/// the noise is unknown.
 fn noise(validation: &Validation, words: &Words) -> Option<String> {
     let known: Vec<f64> = validation.tests.iter().map(|test| test.noise_rms_n).filter(|rms| *rms > 0.0).collect();
     if known.is_empty() {

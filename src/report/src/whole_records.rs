@@ -1,4 +1,4 @@
-//! Formatting of the errors of models over whole records as text.
+//! Formats the errors of models over whole records as text.
 
 use crate::numbers::digits;
 use crate::words::Words;

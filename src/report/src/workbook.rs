@@ -18,7 +18,7 @@ use std::path::Path;
 pub struct Workbook<'a> {
     /// Title of the report.
     pub title: String,
-    /// Names of the compared model and data.
+    /// Second line of the first sheet: names of the compared model and data.
     pub subtitle: String,
     /// Sections of the report. Each table of a section becomes a sheet.
     pub sections: Vec<Section>,
@@ -30,16 +30,16 @@ pub struct Workbook<'a> {
 
 /// Longest name of a sheet that Excel accepts, UTF-16 units.
 const LONGEST_NAME: usize = 31;
-/// Largest width of a column, characters. A wider column would need scrolling.
+/// Largest width of a column, characters. A reader would have to scroll in a wider column.
 const WIDEST: usize = 60;
-/// Number of rows that determine the width of a column. Further rows rarely change the width.
+/// Number of first rows that determine the width of a column. Longer texts in further rows are rare.
 const ROWS_LOOKED_AT: usize = 1000;
 
 impl Workbook<'_> {
-    /// Returns the bytes of the file.
+    /// Returns the content of the Excel file.
     ///
     /// # Errors
-    /// A table is larger than a sheet of Excel.
+    /// A table has more rows or columns than a sheet of Excel allows.
     pub fn bytes(&self) -> anyhow::Result<Vec<u8>> {
         Ok(self.book()?.save_to_buffer()?)
     }
@@ -171,7 +171,7 @@ fn shortened(text: &str, most: usize) -> String {
     text.chars().take_while(fits).collect::<String>().trim_end().to_owned()
 }
 
-/// Returns the section's title, with a number if a sheet of that name already exists.
+/// Returns a name for a new sheet: the section's title, with a number if a sheet of that name already exists.
 fn free_name(title: &str, sheets: &[Sheet<'_>], words: &Words) -> String {
     let first = safe(title);
     // Excel treats names that differ only in case as equal.
@@ -185,7 +185,7 @@ fn free_name(title: &str, sheets: &[Sheet<'_>], words: &Words) -> String {
     names.next().unwrap_or(first)
 }
 
-/// Layout of a page's column in the workbook.
+/// Layout in the workbook of a column of the report's page.
 enum Kind {
     /// Text, or one number.
     One,
@@ -195,7 +195,7 @@ enum Kind {
     Ends(bool),
 }
 
-/// Returns the layout of a page's column in the workbook, and the unit of its cells if all cells have one unit.
+/// Returns the layout in the workbook of the column `place` of a table, and the unit of its cells if they all have one unit.
 fn kind(table: &Table, place: usize) -> (Kind, Option<&str>) {
     let mut units: Vec<&str> = Vec::new();
     let mut ends = false;
@@ -277,7 +277,7 @@ fn write_cell(sheet: &mut Worksheet, row: u32, at: u16, cell: &Cell, part: usize
     sheet.write_number_with_format(row, at, number, &format).map(drop)
 }
 
-/// Returns the number format with which Excel displays the digits of the page.
+/// Returns the number format with which Excel displays as many decimals as `text`, the cell's text on the page.
 fn number_format(text: &str) -> String {
     let number: String =
         text.chars().skip_while(|c| !c.is_ascii_digit()).take_while(|c| c.is_ascii_digit() || *c == '.').collect();
@@ -299,7 +299,7 @@ fn named(column: &Column, unit: Option<&str>) -> String {
     }
 }
 
-/// Counts the columns of text width. Chinese letters are twice as wide as other letters.
+/// Counts the width of a text in units of a Latin letter. Chinese characters have the width 2.
 fn columns_of(text: &str) -> usize {
     text.chars().map(|c| if c > '\u{2e80}' { 2 } else { 1 }).sum()
 }

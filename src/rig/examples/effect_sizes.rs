@@ -1,5 +1,5 @@
-//! Prints the force of every injected effect at one strength (default 1), for several dampers. The seed of a damper
-//! selects the physical form of the effect.
+//! Prints the force change due to every injected effect at one strength (default 1), for the dampers of the seeds 1 to
+//! `SEEDS` (default 8). The seed also selects the physical form of the effect.
 //!
 //! `cargo run --release -p dashpot-rig --example effect_sizes [SEEDS] [STRENGTH]`
 

@@ -1,9 +1,9 @@
-//! Random draws that record the drawn values for the truth of a case.
+//! Random draws that record the drawn values, because the truth of an injected case lists them.
 
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{Rng, SeedableRng};
 
-/// A separate random stream for one purpose of one seed.
+/// A random stream of one seed for one purpose, such as the noise of one test.
 #[derive(Debug, Clone)]
 pub(crate) struct Draw {
     stream: ChaCha8Rng,
@@ -12,7 +12,8 @@ pub(crate) struct Draw {
 }
 
 impl Draw {
-    /// Initializes a stream that depends only on seed and purpose, independent of all other draws of a case.
+    /// Initializes a random stream that depends only on seed and purpose. Draws from streams with other purposes do not
+    /// change it.
     pub fn new(seed: u64, purpose: &str) -> Self {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&seed.to_le_bytes());
@@ -21,19 +22,19 @@ impl Draw {
         Self { stream: ChaCha8Rng::from_seed(key), values: Vec::new() }
     }
 
-    /// Draws uniformly in 0..1, without recording.
+    /// Draws a value uniformly in 0..1, without recording it.
     pub fn unit(&mut self) -> f64 {
         (self.stream.next_u64() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Draws uniformly between two values.
+    /// Draws a value uniformly between `low` and `high`, and records it under `name`.
     pub fn between(&mut self, name: &str, low: f64, high: f64) -> f64 {
         let value = low + (high - low) * self.unit();
         self.values.push((name.into(), value));
         value
     }
 
-    /// Draws log-uniformly between two positive values.
+    /// Draws a value log-uniformly between the positive values `low` and `high`, and records it under `name`.
     pub fn ratio(&mut self, name: &str, low: f64, high: f64) -> f64 {
         let value = low * libm::pow(high / low, self.unit());
         self.values.push((name.into(), value));

@@ -5,13 +5,16 @@ use std::f64::consts::TAU;
 use crate::TestPoint;
 use crate::draw::Draw;
 
-/// Standstill before and after the motion, s.
+/// Duration of the standstill before and after the motion, s.
 const REST_S: f64 = 0.25;
-/// Shortest ramp, s. It has several cycles at 25 Hz, because an actuator does not reach the amplitude within one cycle.
+/// Shortest ramp of the amplitude, s. At 25 Hz, this ramp takes several cycles, because an actuator does not reach the
+/// amplitude within one cycle.
 const SHORTEST_RAMP_S: f64 = 0.3;
-/// Frequency, Hz, below which a ramp has only half a cycle, because half a cycle takes at least ten seconds.
+/// Frequency, Hz, below which the ramp of the amplitude has only half a cycle, because half a cycle then takes at least
+/// ten seconds.
 const SLOW_FREQUENCY_HZ: f64 = 0.05;
-/// Shortest and longest standstill in a brief test, s. Within these limits, the standstill is a quarter cycle.
+/// Shortest and longest standstill in a test of a short campaign, s. Within these limits, the standstill is a quarter
+/// cycle.
 const BRIEF_REST_S: (f64, f64) = (0.03, 0.25);
 const BRIEF_RAMP_S: f64 = 0.08;
 
@@ -23,7 +26,7 @@ pub struct Drive {
     omega: f64,
     ramp: f64,
     rest: f64,
-    /// Start and end of the whole cycles at full amplitude, s.
+    /// Start and end of the whole cycles at full amplitude, s since the start of the test.
     full: (f64, f64),
     road: Option<Road>,
 }
@@ -77,8 +80,8 @@ impl Drive {
         self.full.1 + self.ramp + self.rest
     }
 
-    /// Returns the start and end of the whole cycles at full amplitude, s. In a sine test, the displacement is then at
-    /// its mean and increases.
+    /// Returns the start and end time of the whole cycles at full amplitude, s. In a sine test, the displacement is at
+    /// its mean and increases at both times.
     pub fn full_cycles_s(&self) -> (f64, f64) {
         self.full
     }
@@ -89,7 +92,7 @@ impl Drive {
         (motion.displacement_m, motion.velocity_m_s)
     }
 
-    /// Computes displacement, velocity and acceleration at a time (s).
+    /// Computes displacement (m), velocity (m/s) and acceleration (m/s²) at a time (s).
     pub fn motion_with_acceleration(&self, time: f64) -> Motion {
         let (start, end) = self.full;
         let (envelope, rate, curvature) = if time < start {
@@ -117,10 +120,11 @@ impl Drive {
     }
 }
 
-/// A random motion with the spectrum of wheel travel on a road, relative to the amplitude.
+/// A random motion with the spectrum of wheel travel on a road, as a sum of sines relative to the amplitude of the
+/// test.
 #[derive(Debug, Clone)]
 struct Road {
-    /// Amplitude, angular frequency (rad/s) and phase (rad) of each component.
+    /// Relative amplitude, angular frequency (rad/s) and phase (rad) of each sine component.
     waves: Vec<[f64; 3]>,
 }
 
@@ -136,8 +140,8 @@ impl Road {
             .map(|index| {
                 let place = (index as f64 + draw.unit()) / Self::WAVES as f64;
                 let hz = low * libm::pow(high / low, place);
-                // Displacement amplitudes fall with f^-1.2, so the velocity is nearly constant. They fall faster above
-                // 12 Hz, near the wheel resonance.
+                // Displacement amplitudes fall with f^-1.2, where f is the frequency, so velocity amplitudes fall only
+                // with f^-0.2. Both fall faster above 12 Hz, near the wheel resonance.
                 let size = libm::pow(hz, -1.2) / (1.0 + (hz / 12.0).powi(4)).sqrt();
                 [size, TAU * hz, TAU * draw.unit()]
             })
@@ -164,7 +168,8 @@ impl Road {
     }
 }
 
-/// Computes a step from 0 to 1 without jumps in velocity or acceleration, with its first and second derivative.
+/// Computes a smooth step from 0 to 1, with its first and second derivative by `share`, the fraction of its duration.
+/// Both derivatives are continuous.
 fn smooth_step(share: f64) -> (f64, f64, f64) {
     let s = share.clamp(0.0, 1.0);
     (

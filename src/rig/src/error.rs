@@ -1,4 +1,4 @@
-//! Errors of the rig; the messages state the location and a remedy.
+//! Errors of the virtual rig; their messages state the location of the problem and a remedy.
 
 use std::io;
 use std::path::{Path, PathBuf};
@@ -52,7 +52,7 @@ pub enum RigError {
     Motion {
         /// Name of the test.
         test: String,
-        /// Time reached, s.
+        /// Simulated time that the solver reached, s.
         time_s: f64,
         /// Reason for which the solver stopped.
         problem: String,
@@ -72,13 +72,13 @@ pub enum RigError {
         action: &'static str,
         /// The file or folder.
         path: PathBuf,
-        /// The system's reason.
+        /// Error of the operating system.
         source: io::Error,
     },
 }
 
 impl RigError {
-    /// Returns a closure for `map_err` that wraps a system error with the action and the path.
+    /// Returns a closure for `map_err` that wraps a system error with the attempted action and the path.
     pub(crate) fn io(action: &'static str, path: &Path) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
         move |source| Self::Io { action, path, source }

@@ -9,7 +9,7 @@ use crate::RigError;
 /// Largest accepted size of a table, bytes.
 const LARGEST: u64 = 16 << 20;
 
-/// Reads a table. Rejects a pipe, which would block forever, and a device, which never ends.
+/// Reads a regular file of at most 16 MiB. Rejects a pipe, which would block forever, and a device, which never ends.
 pub(crate) fn read_table(path: &Path) -> io::Result<Vec<u8>> {
     if !fs::metadata(path)?.is_file() {
         return Err(io::Error::other("it is no regular file"));
@@ -22,7 +22,7 @@ pub(crate) fn read_table(path: &Path) -> io::Result<Vec<u8>> {
     }
 }
 
-/// Reads a description in UTF-8, like [`read_table`].
+/// Reads a regular text file in UTF-8 of at most 16 MiB.
 pub(crate) fn read_text(path: &Path) -> io::Result<String> {
     String::from_utf8(read_table(path)?).map_err(|_| io::Error::other("it is no text in UTF-8"))
 }

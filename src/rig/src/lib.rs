@@ -1,11 +1,11 @@
-//! The virtual rig: a physical damper on a test rig, and the measured campaigns.
+//! The virtual rig: simulation of a physical damper on a test rig, and of the measured campaigns.
 //!
-//! It is an independent reference for identification and diagnosis, so its equations differ from those of the
-//! identified model. It has compressible oil chambers instead of a spring, valves instead of a force-velocity table,
-//! and a bristle seal instead of a friction curve.
+//! The virtual rig is an independent reference for identification and diagnosis, so its equations differ from those of
+//! the identified model. Its damper has compressible oil chambers instead of a spring, and valves instead of a
+//! force-velocity table. Its seal friction is a bristle model instead of a friction curve.
 //!
-//! A second, *neutral* damper with the model's own topology allows the injection of physical effects for a diagnosis:
-//! [`InjectedCase`].
+//! A second, *neutral* damper has the topology of the identified model and allows the injection of physical effects for
+//! a diagnosis: [`InjectedCase`].
 //!
 //! All values are in SI units; extension (rebound) and tension are positive.
 //!

@@ -1,7 +1,7 @@
 //! Sensor errors of the rig.
 //!
-//! Every channel of every test has a separate stream of Gaussian noise. The force channel also has colored noise, mains
-//! hum and the quantization of the converter.
+//! Every channel of every test has a separate stream of Gaussian noise. The noise of the force channel may be colored;
+//! this channel also has mains hum and the quantization of the analog-to-digital converter.
 
 use std::f64::consts::TAU;
 
@@ -12,21 +12,22 @@ use rand_distr::{Distribution, StandardNormal};
 use crate::draw::fnv1a;
 use crate::{Options, Record};
 
-/// Noise of the load cell's amplifier, standard deviation, N, in addition to the noise relative to the test's force.
+/// Standard deviation of the amplifier noise of the load cell, N, in addition to the noise that is proportional to the
+/// test's rms force.
 const FORCE_FLOOR_N: f64 = 0.5;
-/// Noise of the displacement transducer, standard deviation, m.
+/// Standard deviation of the noise of the displacement transducer, m.
 const DISPLACEMENT_M: f64 = 2e-6;
-/// Noise of the velocity channel, standard deviation, relative to the test's peak velocity.
+/// Standard deviation of the noise of the velocity channel, relative to the test's peak velocity.
 const VELOCITY_SHARE: f64 = 1e-3;
-/// Noise of the side-force cell, standard deviation, N.
+/// Standard deviation of the noise of the side-force cell, N.
 const SIDE_FORCE_N: f64 = 0.5;
-/// Noise of the temperature sensor, standard deviation, K.
+/// Standard deviation of the noise of the temperature sensor, K.
 const TEMPERATURE_K: f64 = 0.1;
 /// Mains frequency, Hz.
 const HUM_HZ: f64 = 50.0;
 /// Ranges of common load cells, N.
 const RANGES_N: [f64; 8] = [500.0, 1e3, 2e3, 5e3, 10e3, 20e3, 50e3, 100e3];
-/// Smallest ratio of the load cell's range to the largest force.
+/// Smallest ratio of the load cell's range to the largest force of the campaign.
 const RESERVE: f64 = 1.2;
 
 /// A measured channel. The values of the variants select the random stream, so they must never be reused.
@@ -52,8 +53,9 @@ impl<'a> Sensors<'a> {
         Self { options, test }
     }
 
-    /// Adds the sensor errors to all channels. `full_cycles_s` is relative to the start of the test, and `start_s` is
-    /// the time of this start, s. `peak_n` is the largest noise-free force of the campaign, N.
+    /// Adds the sensor errors to all channels of a record. `full_cycles_s` is the interval of the full cycles, s,
+    /// relative to the start of the test, and `start_s` the time of this start, s. `peak_n` is the largest noise-free
+    /// force of the campaign, N.
     pub fn disturb_record(&self, record: &mut Record, full_cycles_s: (f64, f64), start_s: f64, peak_n: f64) {
         let rms_n = record.rms_n((start_s + full_cycles_s.0, start_s + full_cycles_s.1));
         self.disturb_force(rms_n, &mut record.force_n);
@@ -69,7 +71,8 @@ impl<'a> Sensors<'a> {
         }
     }
 
-    /// Adds the load cell's noise: `noise_percent` of `rms_n`, plus amplifier noise, with the selected color.
+    /// Adds the load cell's noise with the selected correlation. Its standard deviation, N, is `noise_percent` of the
+    /// rms force `rms_n`, plus [`FORCE_FLOOR_N`].
     fn disturb_force(&self, rms_n: f64, force_n: &mut [f64]) {
         let deviation = 0.01 * self.options.noise_percent * rms_n + FORCE_FLOOR_N;
         let colour = self.options.noise_colour;
@@ -77,7 +80,7 @@ impl<'a> Sensors<'a> {
             return self.disturb(Channel::Force, deviation, force_n);
         }
         let mut stream = self.stream(Channel::Force);
-        // Draw the first value with the full deviation, so that the noise is stationary from the first sample on.
+        // The first value has the full standard deviation, so that the noise is stationary from the first sample on.
         let fresh = (1.0 - colour * colour).sqrt();
         let mut last: f64 = StandardNormal.sample(&mut stream);
         for value in force_n {
@@ -115,7 +118,8 @@ impl<'a> Sensors<'a> {
         }
     }
 
-    /// Makes a random stream that depends only on campaign, test name and channel, not on test order or threads.
+    /// Makes a random stream that depends only on the campaign's seed, test name and channel, not on test order or
+    /// threads.
     fn stream(&self, channel: Channel) -> ChaCha8Rng {
         let mut key = [0; 32];
         key[..8].copy_from_slice(&self.options.seed.to_le_bytes());
@@ -126,7 +130,8 @@ impl<'a> Sensors<'a> {
     }
 }
 
-/// Computes the quantization step of the force channel, N: the range in both directions divided by the number of steps.
+/// Computes the quantization step of the force channel, N: twice the load cell's range divided by 2 to the power
+/// `bits`.
 fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
     let wanted = RESERVE * peak_n;
     let range = RANGES_N.into_iter().find(|range| *range >= wanted).unwrap_or(wanted);
@@ -134,7 +139,7 @@ fn converter_step_n(bits: u32, peak_n: f64) -> f64 {
 }
 
 impl Record {
-    /// Computes the rms of the noise-free force over the cycles at full amplitude, N, without standstill and ramps.
+    /// Computes the rms of the noise-free force, N, over the cycles at full amplitude, from `start` to `end`, s.
     /// Returns 0 if no sample lies in these cycles.
     pub(crate) fn rms_n(&self, (start, end): (f64, f64)) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
@@ -174,7 +179,7 @@ mod tests {
         let noise = force_noise(1, "a", 2.0);
         let mean = noise.iter().sum::<f64>() / COUNT as f64;
         let deviation = (noise.iter().map(|n| n * n).sum::<f64>() / COUNT as f64).sqrt();
-        // Expect 2 % of 1000 N plus 0.5 N, within four standard errors.
+        // The expected standard deviation is 2 % of 1000 N plus 0.5 N, within four standard errors.
         assert!((deviation / 20.5 - 1.0).abs() < 4.0 / (2.0 * COUNT as f64).sqrt(), "{deviation}");
         assert!(mean.abs() < 4.0 * 20.5 / (COUNT as f64).sqrt());
         assert!(correlation(&noise[1..], &noise[..COUNT - 1]).abs() < 4.0 / (COUNT as f64).sqrt());
@@ -202,7 +207,8 @@ mod tests {
         for colour in [0.5, 0.9] {
             let noise = disturbed(&Options { noise_percent: 2.0, noise_colour: colour, ..Options::default() }, "a");
             let deviation = (noise.iter().map(|n| n * n).sum::<f64>() / COUNT as f64).sqrt();
-            // The effective number of correlated samples is (1 - r) / (1 + r) of their number.
+            // At the correlation r between successive samples, the effective number of independent samples is (1 - r) /
+            // (1 + r) of their number.
             let effective = COUNT as f64 * (1.0 - colour) / (1.0 + colour);
             assert!((deviation / 20.5 - 1.0).abs() < 4.0 / (2.0 * effective).sqrt(), "{colour}: {deviation}");
             for lag in [1, 2, 5] {

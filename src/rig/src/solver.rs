@@ -13,7 +13,7 @@
 const STAGES: usize = 6;
 const GAMMA: f64 = 0.25;
 const NODES: [f64; STAGES] = [0.0, 0.5, 83.0 / 250.0, 31.0 / 50.0, 17.0 / 20.0, 1.0];
-/// Coefficients below the diagonal; the last row contains the fourth-order weights.
+/// Runge-Kutta coefficients below the diagonal; the last row contains the fourth-order weights.
 const WEIGHTS: [[f64; STAGES - 1]; STAGES] = [
     [0.0; 5],
     [0.25, 0.0, 0.0, 0.0, 0.0],
@@ -33,13 +33,13 @@ const EMBEDDED: [f64; STAGES] = [
 ];
 
 const NEWTON_ITERATIONS: usize = 7;
-/// Fraction of the error tolerance at which the Newton iteration stops.
+/// Estimated remaining error, as a fraction of the error tolerance, at which the Newton iteration stops.
 const NEWTON_TOLERANCE: f64 = 0.01;
 /// Ratio of successive Newton updates above which a new Jacobian is computed.
 const NEWTON_SLOW: f64 = 0.3;
 const SMALLEST_STEP_S: f64 = 1e-12;
 
-/// Error tolerance per step and component: `absolute + relative |y|`.
+/// Error tolerance per step of each component y of the state: `absolute + relative |y|`.
 #[derive(Debug, Clone, Copy)]
 pub struct Tolerance<const N: usize> {
     /// Absolute tolerance in the unit of the component; also the scale of the equations.
@@ -51,30 +51,31 @@ pub struct Tolerance<const N: usize> {
 /// Error of a stopped integration.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Stuck {
-    /// Time reached, s.
+    /// Time that the integration reached, s.
     pub time_s: f64,
-    /// Reason.
+    /// Reason why the integration stopped.
     pub reason: &'static str,
 }
 
-/// Integrates `y' = rates(t, y)`.
+/// Solver of the initial value problem `y' = rates(t, y)` with time t, s, and state y.
 pub struct Integrator<const N: usize, F> {
     rates: F,
     tolerance: Tolerance<N>,
     time: f64,
     state: [f64; N],
-    /// Derivative at `time` and `state`. It is evaluated again, because the value of the last stage would amplify stiff
-    /// errors.
+    /// Derivative of the state at `time`. It is evaluated after each step, because the derivative of the last stage
+    /// would amplify errors of stiff components.
     rate: [f64; N],
     step: f64,
     jacobian: [[f64; N]; N],
     jacobian_is_fresh: bool,
-    /// LU factors of `1 - gamma h J`, and the step `h` for which they were computed.
+    /// Step `h`, s, and the LU factors of `1 - gamma h J` for this step. J is the Jacobian and gamma the diagonal
+    /// coefficient [`GAMMA`].
     factors: Option<(f64, Factors<N>)>,
 }
 
 impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
-    /// Starts at `time` from `state` with a small first step.
+    /// Starts at `time`, s, from `state` with a first step of 1e-5 s.
     pub fn new(rates: F, time: f64, state: [f64; N], tolerance: Tolerance<N>) -> Self {
         let rate = rates(time, &state);
         let mut integrator = Self {
@@ -97,14 +98,14 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         &self.state
     }
 
-    /// Integrates up to `end` exactly.
+    /// Integrates exactly up to the time `end`, s.
     ///
     /// # Errors
     /// [`Stuck`] if no step size meets the tolerance.
     pub fn advance_to(&mut self, end: f64) -> Result<(), Stuck> {
         while self.time < end {
             let remaining = end - self.time;
-            // Use two equal steps to avoid a very short last step.
+            // If more than half of the remaining time fits into one step, two equal steps avoid a very short last step.
             let (step, is_last) = if self.step >= remaining {
                 (remaining, true)
             } else if self.step > 0.5 * remaining {
@@ -122,7 +123,8 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 continue;
             };
             let error = self.norm(&filtered, &stages.state);
-            // The estimate is of third order, hence the fourth root.
+            // The error of the embedded third-order method is proportional to the fourth power of the step, hence the
+            // fourth root.
             let factor = (0.9 * libm::pow(error.max(1e-10), -0.25)).clamp(0.2, 4.0);
             if error.is_nan() || error > 1.0 {
                 self.step = step * if error.is_nan() { 0.2 } else { factor.min(0.9) };
@@ -137,8 +139,8 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 self.renew_jacobian();
             }
             let proposal = step * factor;
-            // If `end` shortened this step, the next step may be as long as proposed before, up to four times the new
-            // proposal.
+            // If `end` shortened this step, the next step may be as long as the one proposed earlier, up to four times
+            // the new proposal.
             self.step = if step < self.step { proposal.max(self.step.min(4.0 * proposal)) } else { proposal };
         }
         Ok(())
@@ -151,7 +153,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
         Err(Stuck { time_s: self.time, reason: "no step is small enough for the accuracy asked for" })
     }
 
-    /// Returns the largest component relative to the tolerance, or NaN if any is not a number.
+    /// Returns the largest ratio of a component of `change` to its tolerance, or NaN if any component is NaN.
     fn norm(&self, change: &[f64; N], state: &[f64; N]) -> f64 {
         let mut largest = 0.0;
         for i in 0..N {
@@ -170,7 +172,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
     fn renew_jacobian(&mut self) {
         for column in 0..N {
             let mut shifted = self.state;
-            // The increment is large compared with rounding errors, and small compared with the tolerance.
+            // The increment of the state is large compared with rounding errors, and small compared with the tolerance.
             shifted[column] += 1e-7 * self.state[column].abs() + 1e-3 * self.tolerance.absolute[column];
             let increment = shifted[column] - self.state[column];
             let rate = (self.rates)(self.time, &shifted);
@@ -246,7 +248,7 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                     return None;
                 }
                 slow_newton |= ratio > NEWTON_SLOW && norm > NEWTON_TOLERANCE;
-                // Estimate the remaining change of the following iterations.
+                // The convergence ratio gives an estimate of the change by all further iterations.
                 let rest = if last_norm.is_finite() { norm * ratio / (1.0 - ratio.min(0.95)) } else { norm };
                 last_norm = norm;
                 if rest <= NEWTON_TOLERANCE {
@@ -257,7 +259,8 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
             if !converged {
                 return None;
             }
-            // With the rate from the stage equation, stiff components stay damped within the step.
+            // With the derivative from the stage equation instead of `rates`, stiff components stay damped within the
+            // step.
             for i in 0..N {
                 rates[stage][i] = (value[i] - base[i]) / (step * GAMMA);
             }
@@ -269,7 +272,8 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 error[i] += step * (weight - EMBEDDED[stage]) * rate[i];
             }
         }
-        // Without this filter, the estimate is too large for stiff components, which the method itself damps.
+        // Without this filter by the inverse of `1 - gamma h J`, the error estimate is too large for stiff components,
+        // which the method itself damps.
         let filtered = solve(error);
         Some((Attempt { state: value, rate: (self.rates)(self.time + step, &value), slow_newton }, filtered))
     }
@@ -371,11 +375,13 @@ mod tests {
         for defect in third(&weights).into_iter().chain(third(&EMBEDDED)).chain(fourth) {
             assert!(defect.abs() < 1e-14, "{defect}");
         }
-        // The error estimate must contain a fourth-order error. Otherwise, step control would be ineffective.
+        // The embedded weights must violate a fourth-order condition. Otherwise, the error estimate would vanish, and
+        // step control would be ineffective.
         assert!((dot(&EMBEDDED, |i| c(i).powi(3)) - 0.25).abs() > 1e-4);
     }
 
-    /// Solves the stiff problem of Prothero & Robinson, with a fast relaxation toward a known curve. Returns the error.
+    /// Solves the stiff problem of Prothero & Robinson, with a fast relaxation toward cos t. Returns the largest error
+    /// of the solution at t = 5.
     fn stiff_error(relative: f64) -> f64 {
         let rates = |t: f64, y: &[f64; 2]| [-1e5 * (y[0] - libm::cos(t)) - libm::sin(t), -y[1] * y[0]];
         let mut integrator = Integrator::new(rates, 0.0, [1.0, 1.0], Tolerance { absolute: [relative; 2], relative });
@@ -395,7 +401,8 @@ mod tests {
 
     #[test]
     fn fixed_steps_converge_with_fourth_order() {
-        // For a linear oscillator, a loose tolerance accepts every step, so `advance_to` prescribes the step.
+        // For a linear oscillator, every step meets this loose tolerance, so the calls of `advance_to` determine the
+        // steps.
         let error = |steps: u32| {
             let rates = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
             let loose = Tolerance { absolute: [1e-3; 2], relative: 0.0 };

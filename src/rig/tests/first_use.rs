@@ -1,4 +1,4 @@
-//! First use of the rig.
+//! Examples of the first use of the virtual rig: a campaign on the physical damper, and a case with an injected effect.
 
 use dashpot_rig::{Campaign, InjectedCase, Matrix, MatrixOptions, Options, Plan, RigError};
 

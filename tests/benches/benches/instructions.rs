@@ -1,6 +1,6 @@
-//! Counts the instructions of a thousand steps, of a fit and of reading a campaign with callgrind. The counts do not
-//! depend on other load on the machine. Run `cargo bench -p dashpot-benches --bench instructions`. The benchmark needs
-//! valgrind, and iai-callgrind-runner in the version of `Cargo.toml`.
+//! Counts the processor instructions of a thousand time steps, of a fit and of reading a campaign with callgrind. The
+//! counts do not depend on other load on the machine. Run `cargo bench -p dashpot-benches --bench instructions`. The
+//! benchmark needs valgrind, and iai-callgrind-runner in the version of `Cargo.toml`.
 #![allow(missing_docs)]
 
 use dashpot_benches::{Steps, files, fit, one_thread, read};

@@ -1,5 +1,5 @@
-//! Measures the time of a thousand steps, of a fit and of reading a campaign on this machine: `cargo bench -p
-//! dashpot-benches --bench time`.
+//! Measures the time of a thousand time steps of a damper, of a fit and of reading a campaign on this machine. Run
+//! `cargo bench -p dashpot-benches --bench time`.
 
 use dashpot_benches::{STEPS, Steps, files, fit, read};
 use dashpot_identification::Family;

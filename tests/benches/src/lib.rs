@@ -1,5 +1,6 @@
-//! Subjects of the benchmarks: a thousand steps of a damper, a fit, and reading a campaign. `benches/time.rs` measures
-//! time, `benches/instructions.rs` counts instructions; `benchmarks.md` in the book contains the figures.
+//! Computations that the benchmarks measure: a thousand time steps of a damper, a fit, and reading a campaign.
+//! `benches/time.rs` measures time, `benches/instructions.rs` counts instructions; `benchmarks.md` in the book contains
+//! the figures.
 
 use dashpot_core::number;
 use dashpot_core::parameter::Element;
@@ -13,7 +14,8 @@ use tempfile::TempDir;
 /// Number of steps per call of [`Steps::run`].
 pub const STEPS: usize = 1000;
 
-/// A damper, and a motion in steps of 1 ms over the whole FV curve. The motion equals that of `tests/hosts/cost.c`.
+/// A damper, and a motion in time steps of 1 ms over the whole FV curve. The motion equals that of
+/// `tests/hosts/cost.c`.
 pub struct Steps {
     model: Model,
     state: State,
@@ -50,7 +52,8 @@ impl Steps {
         Steps { state: model.steady_state(&Input::motion(0.0, 0.0)), model, inputs }
     }
 
-    /// Advances by [`STEPS`] steps. Returns the sum of the forces, so that the compiler cannot omit a step.
+    /// Advances the damper by [`STEPS`] time steps. Returns the sum of the forces, N, so that the compiler cannot omit
+    /// a step.
     pub fn run(&mut self) -> f64 {
         let mut sum = 0.0;
         for k in 0..STEPS {
@@ -99,11 +102,11 @@ pub fn fit(campaign: &Campaign, family: Family) -> Fit {
     dashpot_identification::fit(&records, &FitOptions { family, ..Default::default() }, |_| {}).expect("a fit")
 }
 
-/// Keeps all work on this thread, because callgrind counts only this thread's instructions. Two runs then give equal
+/// Restricts rayon to this thread, because callgrind counts only this thread's instructions. Two runs then give equal
 /// counts.
 ///
 /// # Panics
-/// If rayon has started its threads before.
+/// If rayon has already started its threads.
 pub fn one_thread() {
     rayon::ThreadPoolBuilder::new().num_threads(1).use_current_thread().build_global().expect("no threads before");
 }

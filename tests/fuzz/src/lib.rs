@@ -1,6 +1,5 @@
 //! Targets of the fuzzer: every reader of files, and the processing of the reader's output. A reader may accept or
-//! reject a file. Failures are a panic, an access out of bounds, more than 1.5 GiB of memory, and more than ten
-//! seconds.
+//! reject a file. A panic, an access out of bounds, more than 1.5 GiB of memory or more than ten seconds are failures.
 
 use dashpot_core::{Params, model_file as kernel};
 use dashpot_hosts::adams::patch::{Damper, patch};
@@ -16,7 +15,7 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 use tempfile::TempDir;
 
-/// Folder for the files that the targets read. It is in memory if the system has such a folder.
+/// Folder for the files that the targets read. It is in memory if the system has the folder /dev/shm.
 static FOLDER: LazyLock<TempDir> = LazyLock::new(|| {
     let made = tempfile::tempdir_in("/dev/shm").or_else(|_| tempfile::tempdir());
     made.expect("a folder for the files that are read")
@@ -28,7 +27,7 @@ fn written(name: &str, bytes: &[u8]) -> PathBuf {
     file
 }
 
-/// Reads the bytes as a file with the extension `ending`, as a campaign of one record.
+/// Reads the bytes as a campaign of one record, whose file has the extension `ending`.
 pub fn records(ending: &str, bytes: &[u8]) {
     let file = written(&format!("a.{ending}"), bytes);
     let mut options = Options::default();
@@ -38,8 +37,9 @@ pub fn records(ending: &str, bytes: &[u8]) {
     let _ = load(&[file], &options, &|_| ());
 }
 
-/// Reads a model file with the kernel's reader and the command's reader, and builds the model. If neither reader
-/// reports an error, the parameters must agree. The reader of literature models gets the same file.
+/// Reads a model file with the kernel's reader and with the reader of the program `dashpot`, and builds the model. If
+/// neither reader reports an error, their parameters must be equal. The reader of literature models reads the same
+/// file.
 pub fn model(bytes: &[u8]) {
     let mut params = Params::new();
     let by_kernel = kernel::read(bytes, &mut params);
@@ -51,7 +51,8 @@ pub fn model(bytes: &[u8]) {
     let _ = literature::read(&FOLDER.path().join("damper.toml"));
 }
 
-/// Reads the profile of a campaign or another small file of a verb. The first byte selects the kind of file.
+/// Reads the profile of a campaign, or another small input file of a subcommand. The first byte selects the kind of
+/// file.
 pub fn settings(bytes: &[u8]) {
     let Some((kind, bytes)) = bytes.split_first() else { return };
     let text = std::str::from_utf8(bytes);
@@ -105,7 +106,8 @@ pub fn adams(bytes: &[u8]) {
     let _ = patch(bytes, &damper, false);
 }
 
-/// Makes a record of three columns whose headings do not name the channels, so that the profile must assign them.
+/// Makes a record of three columns whose headings do not name the channels, so that the profile of the campaign must
+/// assign the channels.
 fn sine() -> String {
     let row = |i: u32| {
         let t = 0.01 * f64::from(i);

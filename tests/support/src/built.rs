@@ -12,7 +12,7 @@ pub fn profile_folder() -> PathBuf {
     test.ancestors().nth(2).expect("a target directory").to_owned()
 }
 
-/// Returns the target directory.
+/// Returns cargo's target directory.
 ///
 /// # Panics
 /// If the test does not run from cargo's folder, see [`profile_folder`].

@@ -1,7 +1,7 @@
 //! Code shared by the tests of all crates.
 //!
-//! The crate covers the Rust sources, seeds of property tests, random numbers from a seed, skipped tests, and locations
-//! of cargo's build output. It also locates the inputs of problems that users reported.
+//! The crate lists the Rust sources, provides seeds of property tests and random numbers from a seed, and counts
+//! skipped tests. It also finds cargo's build output and the input files of problems that users reported.
 
 mod built;
 mod random;

@@ -1,4 +1,4 @@
-//! Random numbers from a seed, the same on every platform.
+//! Random numbers from a seed, equal on every platform.
 
 /// Random number generator SplitMix64 (Steele, Lea & Flood, OOPSLA 2014).
 pub struct Random(pub u64);
@@ -12,17 +12,17 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    /// Draws uniformly from 0 to 1.
+    /// Draws a number uniformly from 0 to 1.
     pub fn share(&mut self) -> f64 {
         (self.bits() >> 11) as f64 / (1u64 << 53) as f64
     }
 
-    /// Draws uniformly between two numbers.
+    /// Draws a number uniformly between `low` and `high`.
     pub fn between(&mut self, low: f64, high: f64) -> f64 {
         low + (high - low) * self.share()
     }
 
-    /// Draws log-uniformly between two numbers.
+    /// Draws a number log-uniformly between the positive numbers `low` and `high`.
     pub fn decade(&mut self, low: f64, high: f64) -> f64 {
         low * (high / low).powf(self.share())
     }

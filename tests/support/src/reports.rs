@@ -1,4 +1,4 @@
-//! Inputs of problems that users reported. The inputs are stored next to the checkout, not inside.
+//! Input files of problems that users reported. They are stored next to the checkout of the project, not inside.
 
 use super::skips::skipped;
 use std::path::{Path, PathBuf};

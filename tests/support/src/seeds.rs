@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 use std::{fs, io};
 
-/// Environment variable, with the name from proptest, that sets the seed to repeat a run or to select other cases.
+/// Environment variable, named by the crate proptest, that sets the seed of property tests, to repeat a run or to
+/// select other cases.
 const VARIABLE: &str = "PROPTEST_RNG_SEED";
 
-/// Inputs of the seed's hash: the sources of all crates and tests.
+/// Folders of the sources whose hash is the default seed: all crates and tests.
 const SOURCES: [&str; 2] = ["../../src", "../../tests"];
 
 /// Returns the settings of a property test with `cases` cases. Its seed is a hash of the sources, unless [`VARIABLE`]
@@ -26,10 +27,10 @@ pub fn drawn(cases: u32) -> Config {
     with(cases, asked().unwrap_or_else(of_the_code))
 }
 
-/// Returns the settings of a property test that fails for some seeds. The seed is fixed, unless [`VARIABLE`] sets
-/// another seed.
+/// Returns the settings of a property test with `cases` cases that is known to fail for some seeds. The seed is `seed`,
+/// unless [`VARIABLE`] sets another seed.
 ///
-/// A comment at each use states the results of other seeds.
+/// A comment at each call of this function states the results with other seeds.
 ///
 /// # Panics
 /// If the variable is not a number.
@@ -45,11 +46,12 @@ fn asked() -> Option<u64> {
 
 fn with(cases: u32, seed: u64) -> Config {
     println!("{VARIABLE}={seed} runs the same cases again");
-    // Disable proptest's regression files: the printed line contains the same information.
+    // Regression files of proptest are disabled, because the printed line contains the seed that repeats a failure.
     Config { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..Config::default() }
 }
 
-/// Returns the hash of the sources as a seed, for a search that draws its own cases and prints its own messages.
+/// Returns the hash of the sources as a seed, for a test without proptest that draws its own cases and prints its own
+/// messages.
 ///
 /// # Panics
 /// If the sources are not readable.

@@ -1,5 +1,5 @@
-//! Tests that cannot run on a machine. Rust's test harness reports them as "ok", so each prints a separate line. The
-//! last program of a whole run (`tests/tests/what_was_skipped.rs`) counts them.
+//! Tests that cannot run on a machine. Rust's test harness reports them as "ok", so each skipped test prints a separate
+//! line. The last program of a whole test run (`tests/tests/what_was_skipped.rs`) counts the skipped tests.
 
 use super::built::target_folder;
 use std::collections::BTreeMap;
@@ -9,11 +9,11 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-/// Age of a run's notes after which they are deleted, because the run has certainly ended.
+/// Age after which the file of skipped tests of a test run is deleted, because the run has certainly ended.
 const STALE: Duration = Duration::from_secs(24 * 3600);
 
-/// Returns the file of this run's skips, below the target directory and named by the id of the parent process, which is
-/// cargo.
+/// Returns the path of the file that lists the skipped tests of this test run. Its name is the id of the parent
+/// process, cargo.
 fn notes() -> PathBuf {
     #[cfg(unix)]
     let run = std::os::unix::process::parent_id();
@@ -24,11 +24,11 @@ fn notes() -> PathBuf {
 
 /// Reports that this test cannot run here, with the reason.
 ///
-/// The line appears on the terminal immediately, because the test harness does not capture it. A whole run ends with
-/// the count of skips.
+/// The report appears on the terminal immediately, because the test harness does not capture it. A whole test run ends
+/// with the count of skipped tests.
 ///
 /// # Panics
-/// If the note is not writable.
+/// If the file of skipped tests is not writable.
 pub fn skipped(reason: impl Display) {
     let thread = std::thread::current();
     let program = std::env::current_exe().expect("the path of this test");
@@ -45,8 +45,8 @@ fn note(file: &Path, line: &str) -> std::io::Result<()> {
     OpenOptions::new().create(true).append(true).open(file)?.write_all(line.as_bytes())
 }
 
-/// Formats one line that counts this run's skipped tests, with the reasons. Deletes the notes of this run and of runs
-/// that ended long ago.
+/// Formats one line that counts this run's skipped tests, with the reasons. Deletes the list files of this run and of
+/// runs that ended long ago.
 #[must_use]
 pub fn counted() -> String {
     taken(&notes())
@@ -55,7 +55,7 @@ pub fn counted() -> String {
 fn taken(file: &Path) -> String {
     let text = fs::read_to_string(file).unwrap_or_default();
     let _ = fs::remove_file(file);
-    // Remove notes of runs that ended before their last program.
+    // Other files belong to runs that were interrupted before their last program.
     for entry in file.parent().and_then(|folder| fs::read_dir(folder).ok()).into_iter().flatten().flatten() {
         let old = entry
             .metadata()
@@ -65,7 +65,7 @@ fn taken(file: &Path) -> String {
             let _ = fs::remove_file(entry.path());
         }
     }
-    // A test that skips several parts counts once, and so does each of its reasons.
+    // A test that skips several parts counts once, and each of its reasons counts once.
     let mut lines: Vec<(&str, &str)> = text.lines().filter_map(|line| line.split_once('\t')).collect();
     lines.sort_unstable();
     lines.dedup();

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::{fs, io};
 
-/// Folders of built or fetched files, which are not sources.
+/// Names of folders with built or downloaded files, which are not sources.
 const NOT_SOURCES: [&str; 3] = ["target", ".git", ".venv"];
 
 /// Lists all Rust files in a folder and its subfolders, sorted by path.

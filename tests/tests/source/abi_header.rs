@@ -1,4 +1,5 @@
-//! Tests that `include/dashpot.h` matches the sources, and that a C and a C++ compiler accept it without a warning.
+//! Tests that `include/dashpot.h` matches the sources of the C interface, and that a C and a C++ compiler accept this
+//! header without a warning.
 
 use std::fs;
 
@@ -31,7 +32,7 @@ fn compiles_as_c99_and_cxx11_without_a_warning() {
     for (language, name) in [(Language::C, "header.c"), (Language::Cxx, "header.cc")] {
         let source = directory.path().join(name);
         // The double inclusion tests the include guard. The program uses an initializer and a function of the header,
-        // so that their warnings appear.
+        // so that compiler warnings about them appear.
         fs::write(
             &source,
             "#include \"dashpot.h\"\n#include \"dashpot.h\"\n\

@@ -1,4 +1,5 @@
-//! ARCHITECTURE.md and its picture match the manifests; `UPDATE_DOCS=1` redraws the picture.
+//! Tests that ARCHITECTURE.md and its picture of the crates match the Cargo manifests; `UPDATE_DOCS=1` redraws the
+//! picture.
 
 use dashpot_tests::library::root;
 use std::collections::{BTreeMap, BTreeSet};
@@ -7,12 +8,13 @@ use std::fmt::Write as _;
 /// Crates of the workspace, each with the crates of the workspace that it uses.
 type Uses = BTreeMap<String, BTreeSet<String>>;
 
-/// Returns the folder of a package below `src`.
+/// Returns the name of a package's folder below `src`.
 fn folder(package: &str) -> String {
     package.trim_start_matches("dashpot-").replace('-', "_")
 }
 
-/// Reads the dependencies from the manifests of the crates below `src`. The crates of the tests are omitted.
+/// Reads the dependencies between crates from the manifests of the crates below `src`. The crates of the tests are
+/// omitted.
 fn of_manifests() -> Uses {
     let read = |path: &str| -> toml::Table {
         std::fs::read_to_string(root().join(path)).unwrap_or_else(|e| panic!("{path}: {e}")).parse().unwrap()
@@ -30,7 +32,7 @@ fn of_manifests() -> Uses {
         .collect()
 }
 
-/// Reads the dependencies from the table of crates in ARCHITECTURE.md.
+/// Reads the dependencies between crates from the table of crates in ARCHITECTURE.md.
 fn of_page() -> Uses {
     let page = std::fs::read_to_string(root().join("ARCHITECTURE.md")).expect("ARCHITECTURE.md");
     let table = page.split("| crate | what it is | uses |").nth(1).expect("the table of crates");
@@ -44,7 +46,7 @@ fn of_page() -> Uses {
     .collect()
 }
 
-/// Returns the dependencies, as pairs (crate, used crate), that do not follow from others by transitivity.
+/// Returns the dependencies, as pairs (crate, used crate), that do not follow from other dependencies by transitivity.
 fn arrows(uses: &Uses) -> Vec<(&str, &str)> {
     fn reaches(uses: &Uses, from: &str, to: &str) -> bool {
         uses[from].iter().any(|next| next == to || reaches(uses, next, to))
@@ -86,7 +88,8 @@ fn picture(uses: &Uses) -> String {
         }
     }
     levels.iter().for_each(|row| spread(row, &mut place));
-    // Sort each row by the mean position of its neighbors, several times up and down, to reduce crossings of arrows.
+    // Each row is sorted by the mean position of the crates that an arrow connects with a crate. Eight repetitions
+    // reduce the crossings of arrows.
     for _ in 0..8 {
         for row in &mut levels {
             let middle = |name: &str| {

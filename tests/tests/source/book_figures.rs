@@ -1,4 +1,5 @@
-//! The kernel draws the figures of the elements in the book; `UPDATE_DOCS=1` redraws them.
+//! Tests that the figures of the elements in the book match the forces of the kernel; `UPDATE_DOCS=1` redraws the
+//! figures.
 
 use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_core::parameter::{Element, Number};
@@ -7,7 +8,7 @@ use dashpot_tests::library::root;
 use std::f64::consts::TAU;
 use std::fmt::Write as _;
 
-/// Effect of an element on the force under one sine, in comparison with the damper without the element.
+/// Figure of an element: the force under one sine motion, with the element and without it.
 struct Case {
     element: &'static str,
     set: &'static [(&'static str, f64)],
@@ -16,7 +17,7 @@ struct Case {
     over: Over,
 }
 
-/// Quantity of the horizontal axis.
+/// Quantity on the horizontal axis of a figure.
 #[derive(Clone, Copy, PartialEq)]
 enum Over {
     Velocity,
@@ -62,12 +63,14 @@ const CASES: &[Case] = &[
     case("rebound_stop", &[("rebound_stop_clearance", 0.02)], (40.0, 1.0), Displacement),
 ];
 
-/// Side force in all cases, N, for the elements that respond to it.
+/// Side force in all figures, N, so that the elements that respond to side force have an effect.
 const SIDE_FORCE: f64 = 1500.0;
-/// Temperature in all cases, °C. It differs from the 20 °C of the FV curve, so that `temperature_fade` is visible.
+/// Temperature in all figures, °C. It differs from 20 °C, the temperature of the FV curve, so that the effect of
+/// `temperature_fade` is visible.
 const TEMPERATURE: f64 = 80.0;
 
-/// Computes displacement, m, velocity, m/s, and force, N, over the last of three cycles.
+/// Computes displacement, m, velocity, m/s, and force, N, over the last of three sine cycles. The motion has an
+/// amplitude in mm and a frequency in Hz.
 fn cycle(params: &Params, (mm, hertz): (f64, f64)) -> Vec<[f64; 3]> {
     const STEPS: u32 = 4000;
     let model = Model::new(params).expect("a model");
@@ -98,14 +101,15 @@ fn model(on: &[&str], set: &[(&str, f64)]) -> Params {
     params
 }
 
-/// Returns a round distance of grid lines, with which three or five lines divide a span about zero.
+/// Returns a round distance of grid lines for an axis from −`span` to `span`. It is `span` divided by five, rounded up
+/// to 1, 2 or 5 times a power of ten.
 fn grid(span: f64) -> f64 {
     let rough = span / 5.0;
     let power = 10f64.powf(rough.log10().floor());
     power * [1.0, 2.0, 5.0, 10.0].into_iter().find(|f| f * power >= rough).unwrap_or(10.0)
 }
 
-/// Draws two loops: without the element in gray, and with the element in color.
+/// Draws two force loops: of the damper without the element in gray, and with the element in color.
 fn drawing(case: &Case) -> String {
     let (base, with): (&[&str], Vec<&str>) = match case.element {
         "fv_curve" => (&[], vec!["fv_curve"]),
@@ -130,7 +134,8 @@ fn drawing(case: &Case) -> String {
         let count = (most / step).floor() as i32;
         (-count..=count).map(move |i| f64::from(i) * step).collect::<Vec<_>>()
     };
-    // Positions of grid lines are multiples of a round step; round away the floating-point errors.
+    // Positions of grid lines are multiples of a round step. Rounding to six decimals removes floating-point errors
+    // from their labels.
     let number = |value: f64| format!("{}", (1e6 * value).round() / 1e6);
     for value in places(wide) {
         let (at, end) = (x(value), top + height);

@@ -1,7 +1,7 @@
-//! The files of a crate have no circular dependencies. Files with a circular dependency can only be understood
-//! together. Code that both files need belongs in a separate file that uses neither.
+//! Tests that the source files of a crate have no circular dependencies. Files with a circular dependency can only be
+//! understood together. Code that two files need belongs in a separate file that uses neither of them.
 //!
-//! Tests inside a file do not count. Uses of names from the `mod.rs` of an enclosing folder do not count either,
+//! Test modules inside a file do not count. Uses of names from the `mod.rs` of an enclosing folder do not count either,
 //! because a folder and its `mod.rs` form one unit. A name that a folder re-exports (`pub use`) is traced to the file
 //! that defines it.
 
@@ -10,7 +10,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 use syn::visit::{self, Visit};
 
-/// Path of a module or an item in code, from the crate's root.
+/// Path of a module or an item in Rust code, from the crate's root, as its segments.
 type Names = Vec<String>;
 
 /// Names that one file of a crate uses, re-exports, or defines as macros.
@@ -27,7 +27,7 @@ struct Room {
     macros: BTreeSet<String>,
 }
 
-/// Visitor that collects the names of a file whose module path is `here`.
+/// Visitor of a syntax tree that collects the names of a file whose module path is `here`.
 struct Reader<'a> {
     here: &'a [String],
     room: Room,
@@ -153,8 +153,8 @@ fn rooms(folder: &Path) -> BTreeMap<Names, Room> {
     found
 }
 
-/// Finds the file that defines a path: the deepest module on the path, or the origin of a re-export. Follows at most
-/// `hops` re-exports. Returns `None` for a name of another crate.
+/// Finds the file that defines a path: the file of the deepest module on the path, or the origin of a re-export.
+/// Follows at most `hops` re-exports. Returns `None` for a name of another crate.
 fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) -> Option<&'a Names> {
     let depth = (0..=names.len()).rev().find(|n| rooms.contains_key(&names[..*n]))?;
     let (place, room) = rooms.get_key_value(&names[..depth])?;
@@ -176,7 +176,7 @@ fn made_in<'a>(rooms: &'a BTreeMap<Names, Room>, names: &[String], hops: usize) 
     Some(place)
 }
 
-/// Finds the sets of files that depend on each other in a circle.
+/// Finds the sets of files whose dependencies form a circle.
 fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
     let arrows: BTreeMap<&Names, BTreeSet<&Names>> = rooms
         .iter()
@@ -206,14 +206,14 @@ fn circles(rooms: &BTreeMap<Names, Room>) -> Vec<BTreeSet<Names>> {
     found
 }
 
-/// Lists the source folders of all crates.
+/// Lists the source folders (`src/<crate>/src`) of all crates.
 fn crates() -> Vec<PathBuf> {
     let mut crates: Vec<_> = std::fs::read_dir(root().join("src")).unwrap().map(|e| e.unwrap().path()).collect();
     crates.sort();
     crates.iter().map(|path| path.join("src")).filter(|path| path.is_dir()).collect()
 }
 
-/// Merges the files of each top-level folder to one unit, and omits the crate's root.
+/// Merges the files of each top-level folder of a crate to one unit, and omits the crate's root file.
 fn folders(rooms: &BTreeMap<Names, Room>) -> BTreeMap<Names, Room> {
     let mut found: BTreeMap<Names, Room> = BTreeMap::new();
     for (name, room) in rooms.iter().filter(|(name, _)| !name.is_empty()) {

@@ -1,10 +1,11 @@
-//! `clamp` panics if its limits cross, and a panic ends the program. Computed limits may cross, so they need
-//! `dashpot_records::restrict`, or `max` and `min` in crates that do not use crate `dashpot-records`.
+//! Tests that no code calls `clamp` with computed limits. `clamp` panics if the lower limit exceeds the upper one, and
+//! a panic ends the program. For computed limits, code uses `dashpot_records::restrict`, or `max` and `min` in crates
+//! that do not use crate `dashpot-records`.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 
-/// Returns whether a limit is a literal number, a constant or the term `0.5 * STEP`.
+/// Returns whether the text of a limit is a literal number, a constant (also with `.0` or `.1`) or `0.5 * STEP`.
 fn is_written(limit: &str) -> bool {
     let limit = limit.trim().trim_start_matches('-');
     let is_number = limit.replace('_', "").parse::<f64>().is_ok();
@@ -46,7 +47,7 @@ fn limits_of_clamp_are_written_in_the_code() {
             continue;
         }
         let text = std::fs::read_to_string(&file).unwrap();
-        // Test modules are at the end of a file.
+        // Test modules are at the end of a file and are not checked.
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
         for (at, call) in code.match_indices(".clamp(") {
             seen += 1;

@@ -1,5 +1,5 @@
-//! The instructions in CONTRIBUTING.md are valid: the files exist, and the quoted lines are in them. Lists that a new element must join
-//! contain all elements that belong to them.
+//! Tests that the instructions in CONTRIBUTING.md are valid: the named files exist, and contain the quoted lines. Lists in the code to
+//! which a developer must add a new element contain all elements that belong to them.
 
 use dashpot_core::parameter::{Acts, Element, GROUPS, acts, table};
 use dashpot_core::step::step;
@@ -10,7 +10,7 @@ fn page() -> String {
     std::fs::read_to_string(root().join("CONTRIBUTING.md")).expect("CONTRIBUTING.md")
 }
 
-/// Returns texts between single backticks outside of code blocks.
+/// Returns the texts between single backticks on a Markdown page, outside of code blocks.
 fn quoted(page: &str) -> Vec<String> {
     let prose: Vec<&str> = page.split("```").step_by(2).collect();
     prose.iter().flat_map(|part| part.split('`').skip(1).step_by(2)).map(str::to_owned).collect()
@@ -50,7 +50,7 @@ fn a_fleet_takes_the_records_that_the_reader_takes() {
     assert_eq!(listed, dashpot_records::EXTENSIONS);
 }
 
-/// Velocities, m/s. From [`SLOW`] to [`FAST`], the force of dry friction is nearly constant, and that of a damper is not.
+/// Velocities, m/s. From [`SLOW`] to [`FAST`], the force of dry friction is nearly constant, whereas the force of other elements changes.
 const SLOW: f64 = 1e-3;
 const FAST: f64 = 0.1;
 
@@ -65,7 +65,8 @@ fn a_locked_damper_is_linearized_without_any_dry_friction() {
         params.disable_all();
         params.enable(element, true);
         let Ok(model) = Model::new(&params) else { continue };
-        // Computes the force at x = 0 after 20 mm of travel at a constant velocity, which ends the presliding.
+        // Computes the force, N, at zero displacement after 20 mm of travel at a constant velocity, m/s. After this travel, the presliding
+        // has ended.
         let at_zero = |velocity: f64| {
             let (steps, travel) = (100, 0.02);
             let dt = travel / velocity.abs() / f64::from(steps);

@@ -1,4 +1,4 @@
-//! The documents are consistent.
+//! Tests that the documents of the project are consistent.
 //!
 //! Every relative link leads to a file, and the book's table of contents lists every page. If mdBook is installed, the
 //! book builds.
@@ -8,7 +8,7 @@ use dashpot_tests::library::root;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Collects the pages below a folder.
+/// Collects the Markdown pages below a folder.
 fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     for entry in std::fs::read_dir(folder).unwrap_or_else(|e| panic!("{}: {e}", folder.display())) {
         let path = entry.expect("an entry").path();
@@ -20,14 +20,14 @@ fn pages(folder: &Path, found: &mut Vec<PathBuf>) {
     }
 }
 
-/// Returns the targets of links and pictures on a page, without code.
+/// Returns the targets of links and pictures on a Markdown page, outside of code.
 fn links(text: &str) -> Vec<String> {
     let prose: String = text.split("```").step_by(2).collect();
     let prose: String = prose.split('`').step_by(2).collect::<Vec<_>>().join("``");
     prose.split("](").skip(1).filter_map(|rest| Some(rest.split_once(')')?.0.to_owned())).collect()
 }
 
-/// Returns the anchors of headings, as targets of links.
+/// Returns the anchors of the headings of a Markdown page, which are possible targets of links.
 fn anchors(text: &str) -> Vec<String> {
     let prose: String = text.split("```").step_by(2).collect();
     let headings = prose
@@ -70,8 +70,8 @@ fn every_relative_link_leads_somewhere() {
     assert!(broken.is_empty(), "links that lead nowhere:\n{}", broken.join("\n"));
 }
 
-/// Checks that the table of contents lists every page, and that relative links stay inside the book. Readers have the
-/// book without the surrounding folders.
+/// Checks that the table of contents lists every page, and that relative links stay inside the book. Links must not
+/// leave the book, because readers have the book without the surrounding folders.
 #[test]
 fn the_book_lists_its_pages_and_keeps_to_itself() {
     let source = root().join("docs/book/src");
@@ -103,7 +103,7 @@ fn the_book_builds() {
                 model.contains("figures/element-free_play.svg")
                     && folder.path().join("figures/element-free_play.svg").is_file()
             );
-            // Check that mdBook has inserted the files that pages include from outside the book.
+            // mdBook must have inserted the files from outside the book that pages include.
             let parameters =
                 std::fs::read_to_string(folder.path().join("parameters.html")).expect("the page of parameters");
             assert!(parameters.contains("free_play_gap") && !parameters.contains("{{#"));

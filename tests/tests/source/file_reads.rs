@@ -1,10 +1,11 @@
-//! A pipe blocks forever, and a device may never end. So files of the user are read through `dashpot_records::read_small`,
-//! `read_regular` and their text form, which accept regular files up to a stated size. Crate `rig` has its own form.
+//! Tests that code reads files of the user only through `dashpot_records::read_small`, `read_regular` and their variants for text. These
+//! functions accept only regular files up to a stated size, because a pipe blocks forever, and a device may never end. Crate `rig` has its
+//! own functions.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 
-/// Files that may open others, with the reason.
+/// Source files that may open files in another manner, with the reason.
 const ALLOWED: [(&str, &str); 7] = [
     ("src/records/src/source.rs", "the functions themselves"),
     ("src/rig/src/files.rs", "the functions of crate rig"),
@@ -21,13 +22,13 @@ fn files_of_the_user_are_read_in_one_place() {
     let (mut wrong, mut used) = (Vec::new(), Vec::new());
     for file in rust_files(&root().join("src")).unwrap() {
         let name = file.strip_prefix(root()).unwrap().display().to_string();
-        // Excluded are programs of developers, build scripts and the Python package's tests.
+        // The test excludes tests, programs for developers and build scripts.
         let own = ["/tests/", "/tests.rs", "/examples/", "build.rs", "/ui_tests/", "src/proving/", "src/severity/"];
         if own.iter().any(|own| name.contains(own)) {
             continue;
         }
         let text = std::fs::read_to_string(&file).unwrap();
-        // Test modules are at the end of a file.
+        // Test modules are at the end of a file and are not checked.
         let code = text.split("#[cfg(test)]\nmod tests").next().unwrap_or_default();
         for (number, line) in code.lines().enumerate() {
             if !line.trim_start().starts_with("//") && CALLS.iter().any(|call| line.contains(call)) {

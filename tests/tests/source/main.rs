@@ -1,5 +1,5 @@
-//! Rules of the source: names, texts, arrows between crates, and files that are written from the source. They form one
-//! program, so that they run in parallel.
+//! Tests of rules for the source code: names, texts, dependencies between crates, and files that are generated from the
+//! source. They form one program, so that they run in parallel.
 
 mod abi_header;
 mod architecture;

@@ -1,4 +1,4 @@
-//! Tests that code uses every message that the lists of messages declare.
+//! Tests that code uses every message to the user that the lists of messages declare.
 //!
 //! The tests of `report` and `gui` check that each message has a text in every language, and that no file of a language
 //! contains another text.
@@ -17,8 +17,8 @@ const LISTS: [(&str, &[&str], &str); 6] = [
     ("src/gui/src/words/mod.rs", &["gui"], "."),
 ];
 
-/// Returns the names that a list declares: in `phrases!` those before a text, in `interface!` those after the
-/// semicolon.
+/// Returns the names of the messages that a list declares: in `phrases!` the names before a text, in `interface!` those
+/// after the semicolon.
 fn declared(list: &str) -> BTreeSet<&str> {
     let is_name = |name: &&str| !name.is_empty() && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '_');
     let phrases = list.lines().filter_map(|line| line.strip_prefix("    ")?.split_once(": \"").map(|(name, _)| name));
@@ -27,7 +27,7 @@ fn declared(list: &str) -> BTreeSet<&str> {
     phrases.chain(fields.filter_map(|line| line.trim().split(['(', ',']).next())).filter(is_name).collect()
 }
 
-/// Returns the names that follow the text `before` in code.
+/// Returns the names of messages that follow the text `before` in code.
 fn named<'c>(code: &'c str, before: &str) -> BTreeSet<&'c str> {
     let end = |rest: &str| rest.find(|c: char| !(c.is_ascii_alphanumeric() || c == '_')).unwrap_or(rest.len());
     code.split(before).skip(1).map(|rest| &rest[..end(rest)]).collect()

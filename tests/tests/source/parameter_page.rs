@@ -1,4 +1,5 @@
-//! The page of elements and parameters matches the kernel's table; `UPDATE_DOCS=1` rewrites the page.
+//! Tests that the page of elements and parameters in the book matches the kernel's parameter table; `UPDATE_DOCS=1`
+//! rewrites the page.
 
 use dashpot_core::Params;
 use dashpot_core::parameter::GROUPS;
@@ -20,7 +21,7 @@ fn usual(row: Row) -> String {
     }
 }
 
-/// Formats the bounds of a parameter for a car damper. Returns an empty text if they equal the general bounds.
+/// Formats the bounds of a parameter for a car damper. Returns an empty text if these bounds equal the general bounds.
 fn in_proportion(p: &Parameter) -> String {
     let (low, high) = p.of_a_car;
     if (low, high) == (p.low, p.high) { String::new() } else { format!(" (car: {} to {})", short(low), short(high)) }
@@ -95,7 +96,7 @@ fn the_page_follows_the_table() {
     assert!(written == page(), "docs/parameters.md is out of date; run this test with UPDATE_DOCS=1");
 }
 
-/// Checks that the page and the header contain the same bounds for every parameter.
+/// Checks that the parameter page and the C header contain equal bounds for every parameter.
 #[test]
 fn the_header_and_the_page_have_the_same_bounds() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).unwrap();

@@ -1,5 +1,5 @@
-//! A fit gives the same digits on every system and in every thread. Therefore all shipped code uses the elementary
-//! functions of crate `libm`.
+//! Tests that all shipped code uses the elementary functions (exp, sin, ...) of crate `libm`. A fit then gives equal
+//! digits on every system and in every thread.
 //!
 //! Rust's standard library calls the elementary functions of the system's C library. glibc selects an implementation by
 //! the processor. MinGW on Windows uses the x87 unit, whose precision differs between the main thread and threads
@@ -15,14 +15,14 @@ const SYSTEMS: [&str; 25] = [
     "acos", "atan", "atan2", "sinh", "cosh", "tanh", "asinh", "acosh", "atanh", "hypot", "cbrt",
 ];
 
-/// Files whose calls are methods of numbers with derivatives (automatic differentiation). The methods have the names of
-/// system functions, and this test covers the files that define them.
+/// Files whose calls are methods of numbers with derivatives (automatic differentiation). These methods have the names
+/// of the functions in [`SYSTEMS`]. The test covers the files that define the methods.
 const OF_NUMBERS_WITH_DERIVATIVES: [&str; 1] = ["src/other_lab/src/protocol/motion.rs"];
 
 /// Returns the name from [`SYSTEMS`] that a line of code calls, or `None` if it calls none.
 fn calls(line: &str) -> Option<&'static str> {
     let code = line.split("//").next().unwrap_or(line);
-    // Two points do not begin a method call: `..log(x)` fills the rest of a structure.
+    // Two points do not begin a method call: `..log(x)` sets the other fields of a structure.
     let as_method = |name: &str| {
         let call = format!(".{name}(");
         code.match_indices(&call).any(|(at, _)| !code[..at].ends_with('.'))
@@ -43,13 +43,14 @@ fn nothing_that_ships_computes_with_the_systems_functions() {
         if name.contains("/tests/") {
             continue;
         }
-        // The kernel does not use the standard library. Its numbers with derivatives define methods with these names.
+        // The kernel does not use the standard library. Its numbers with derivatives define methods with the names in
+        // [`SYSTEMS`].
         if name.starts_with("src/core/") || OF_NUMBERS_WITH_DERIVATIVES.contains(&name.as_str()) {
             continue;
         }
         looked_at += 1;
         let text = std::fs::read_to_string(&file).unwrap();
-        // Unit tests are at the end of a file.
+        // Unit tests are at the end of a file and are not checked.
         let ships = text.split("#[cfg(test)]\nmod ").next().unwrap_or(&text);
         wrong.extend(
             ships.lines().enumerate().filter_map(|(k, line)| Some(format!("{name}:{}: `{}`", k + 1, calls(line)?))),

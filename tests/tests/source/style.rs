@@ -26,8 +26,8 @@ const SURPLUS: &str = "words above a mean of 22 a sentence";
 /// Remaining violations: crate or document, rule, count.
 const ALLOWED: &[(&str, &str, usize)] = &[];
 
-/// Words of the glossary's left column. The test splits a name into its words. An entry with several words matches the
-/// same sequence in a name.
+/// Words of the left column of the glossary in STYLE.md, which names must not contain. The test splits a name into its
+/// words. An entry with several words matches this sequence of words in a name.
 const WORDS: &str = "
     slope slopes share shares
     answer answers answered answering
@@ -53,7 +53,7 @@ const WORDS: &str = "
     force_by force_by_x by_x by_v by_memory by_velocity by_displacement
     falls most_states
 ";
-/// Names of functions and types that are meaningless alone.
+/// Words that must not be the whole name of a function or type.
 const ALONE: &str = "of at told said given off beside tried looked held";
 
 /// Returns the words of an identifier, in lower case.
@@ -77,12 +77,12 @@ fn words(name: &str) -> Vec<String> {
     found
 }
 
-/// Returns the entry of [`ALONE`] that equals the whole name of a function or a type.
+/// Returns the entry of [`ALONE`] that equals the whole name of a function or a type, if any.
 fn says_nothing(name: &str) -> Option<&'static str> {
     ALONE.split_whitespace().find(|entry| words(name) == [*entry])
 }
 
-/// Returns the entry of [`WORDS`] that a name contains.
+/// Returns the entry of [`WORDS`] that a name contains, if any.
 fn replaced(name: &str) -> Option<&'static str> {
     let words = words(name);
     let has = |entry: &&str| {
@@ -114,8 +114,8 @@ fn sentences(text: &str) -> Vec<usize> {
     lengths
 }
 
-/// Returns the lengths of a page's sentences, and the text of those that are too long. Code, tables, headings, targets
-/// of links and pictures do not count; inline code is one word.
+/// Returns the lengths of the sentences of a Markdown page, words, and the text of sentences that are too long. Code,
+/// tables, headings, targets of links and pictures do not count; inline code is one word.
 fn prose(page: &str) -> (Vec<usize>, Vec<String>) {
     let mut blocks: Vec<String> = vec![String::new()];
     let mut skipped = 0;
@@ -187,7 +187,7 @@ impl Findings {
         }
     }
 
-    /// Checks the names of a header, without its comments and quoted texts.
+    /// Checks the names in a C header, without its comments and quoted texts.
     fn check_header(&mut self, part: &str, file: &str, text: &str) {
         let mut code = String::new();
         for line in text.lines().filter(|line| !line.trim_start().starts_with(['*', '/'])) {
@@ -223,12 +223,12 @@ impl Findings {
     }
 }
 
-/// Public names, JSON keys and doc comments of one file.
+/// Visitor that collects the public names, JSON keys and doc comments of one source file.
 #[derive(Default)]
 struct Reader {
-    /// Functions and types.
+    /// Names of functions and types.
     items: Vec<String>,
-    /// Modules, constants, fields, variants, keys.
+    /// Names of modules, constants, fields and variants, and JSON keys.
     names: Vec<String>,
     comments: Vec<String>,
 }

@@ -1,4 +1,5 @@
-//! Only `src/output/src/terminal.rs` writes to the terminal, and it escapes control characters in texts from files.
+//! Tests that only `src/output/src/terminal.rs` writes to the terminal, because this file escapes control characters in
+//! texts from files.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::cli::run;
@@ -9,8 +10,8 @@ fn nothing_prints_beside_the_one_place() {
     let (mut seen, mut wrong) = (0, Vec::new());
     for file in rust_files(&root().join("src")).unwrap() {
         let name = file.strip_prefix(root()).unwrap().display().to_string();
-        // Skip tests, programs of developers, build scripts, the crate that may write to the terminal, and the window's
-        // main file.
+        // The test skips tests, programs for developers, build scripts, the crate that may write to the terminal, and
+        // the main file of the window (`gui`).
         let own = ["/tests/", "/examples/", "build.rs", "/ui_tests/", "src/output/src/", "src/gui/src/main.rs"];
         if own.iter().any(|own| name.contains(own)) {
             continue;

@@ -1,12 +1,13 @@
-//! Tests the documentation of the tuning constants, which are in one file per crate, `tuning.rs`. It must end with the
-//! name of a test that fails if the value changes, or with "none".
+//! Tests the documentation of the tuning constants, which are in one file per crate, `tuning.rs`. The documentation of
+//! each constant must end with the name of a test that fails if the value changes, or with "none".
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
 use std::collections::BTreeSet;
 use std::path::Path;
 
-/// Crates with a file `tuning.rs`, and the number of constants in it that no test covers. The count may only fall.
+/// Crates with a file `tuning.rs`, and the number of constants in this file that no test covers. The number may only
+/// fall.
 const UNNOTICED: &[(&str, usize)] = &[("records", 30)];
 
 /// A constant with its documentation.

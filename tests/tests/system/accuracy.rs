@@ -1,4 +1,5 @@
-//! Compares the force of the kernel's fixed steps with the converged solution, over the whole test matrix up to 25 Hz.
+//! Compares the force of the kernel with fixed host steps with the converged solution, over the whole test matrix of
+//! sines up to 25 Hz.
 
 use dashpot_core::number;
 use dashpot_core::{Model, Params};
@@ -34,7 +35,8 @@ fn errors_of_a_third_damper_stay_inside_the_contract() {
     stay_inside_the_contract(&[(3e6, 200.0, 0.5)]);
 }
 
-/// Compares dampers of these series stiffnesses, dampings and masses with a converged reference.
+/// Asserts the limits of the force error of dampers with these series stiffnesses, N/m, dampings, N s/m, and masses,
+/// kg. The reference is a converged solution.
 fn stay_inside_the_contract(dampers: &[(f64, f64, f64)]) {
     for (stiffness, damping, mass) in dampers.iter().copied() {
         let model = model(stiffness, damping, mass);

@@ -1,6 +1,6 @@
-//! Checks the dependencies of the project.
+//! Checks the dependencies of the project on other crates.
 //!
-//! cargo-deny checks licenses, sources and security advisories against `deny.toml`. Without the tool these tests are
+//! cargo-deny checks licenses, sources and security advisories against `deny.toml`. Without cargo-deny, these tests are
 //! counted as skipped. If advisories cannot be fetched, the tests use the copy in the checkout (`tests/advisories`),
 //! and report if this copy is old.
 
@@ -10,8 +10,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 use std::time::SystemTime;
 
-/// Age, in days, above which the advisories of the checkout are reported as old. RustSec publishes several a week, and
-/// cargo-deny has the same limit.
+/// Age, in days, above which the advisories of the checkout are reported as old. RustSec publishes several advisories a
+/// week. The limit equals that of cargo-deny.
 const OLD: i64 = 90;
 
 /// Runs cargo-deny in the project's folder. Returns `None` if cargo-deny is not installed.
@@ -25,7 +25,7 @@ fn deny(args: &[&str]) -> Option<Output> {
 fn days(date: &str) -> i64 {
     let part = |range: std::ops::Range<usize>| date[range].parse::<i64>().expect("a date");
     let (y, m, d) = (part(0..4), part(5..7), part(8..10));
-    // Months count from March, so that the leap day is the last day of a year.
+    // In this calculation, months count from March, so that the leap day is the last day of a year.
     let (y, m) = if m > 2 { (y, m - 3) } else { (y - 1, m + 9) };
     365 * y + y / 4 - y / 100 + y / 400 + (153 * m + 2) / 5 + d - 1 - 719_468
 }
@@ -51,8 +51,8 @@ fn run(program: &str, args: &[&str], at: &Path) {
     assert!(out.status.success(), "{program} {args:?}: {}", String::from_utf8_lossy(&out.stderr));
 }
 
-/// Runs cargo-deny with the advisories of the checkout. cargo-deny reads advisories from a repository below a folder of
-/// its own. This function creates that folder.
+/// Runs cargo-deny with the advisories of the checkout. cargo-deny reads advisories from a git repository in a folder
+/// of databases. This function creates the folder and the repository.
 fn by_the_checkout(configuration: &str) -> Output {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
@@ -66,8 +66,8 @@ fn by_the_checkout(configuration: &str) -> Output {
     std::fs::write(&file, deny_toml.to_string()).expect("a file");
     let file = file.to_str().expect("a path in UTF-8");
     let check = ["--offline", "--color", "never", "--config", file, "check", "advisories"];
-    // The first run prints the path of the repository. cargo-deny derives the repository's name from the address of the
-    // advisory database.
+    // The first run fails and prints the expected path of the repository. cargo-deny derives the repository's name from
+    // the address of the advisory database.
     let said = String::from_utf8_lossy(&deny(&check).expect("cargo-deny").stderr).into_owned();
     let path = said
         .split('"')
@@ -83,7 +83,7 @@ fn by_the_checkout(configuration: &str) -> Output {
     deny(&check).expect("cargo-deny")
 }
 
-/// Runs one kind of check, and reports the check as skipped if it cannot run.
+/// Runs one kind of check of cargo-deny, and reports the check as skipped if it cannot run.
 fn holds(kind: &str) {
     let Some(out) = deny(&["--color", "never", "check", kind]) else {
         skipped(WITHOUT);

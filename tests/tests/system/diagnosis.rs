@@ -1,4 +1,5 @@
-//! Diagnosis of data from the kernel. The missing effect is known exactly, and no other effect is missing.
+//! Tests of the diagnosis on synthetic records from the kernel. The effect that the diagnosed model lacks is known
+//! exactly, and no other effect is missing.
 
 use dashpot_core::list;
 use dashpot_core::parameter::{Element, Number};
@@ -16,8 +17,8 @@ fn tests() -> Vec<Sine> {
     with_others(strokes_and_speeds())
 }
 
-/// Returns the tests of the campaign with only every second amplitude and velocity. They take half the time, and
-/// suffice where the magnitude of an effect is not checked.
+/// Returns every second combination of amplitude and peak velocity of [`tests`], and all its other tests. They take
+/// less time, and suffice where the magnitude of an effect is not checked.
 fn fewer_tests() -> Vec<Sine> {
     with_others(strokes_and_speeds().into_iter().skip(1).step_by(2).collect())
 }
@@ -96,8 +97,8 @@ fn find_nothing(seeds: std::ops::RangeInclusive<u64>) {
     }
 }
 
-/// Diagnoses data with one additional effect, and asserts that the diagnosis names this effect alone. Returns the
-/// fraction of the gap between residual and noise that the improved model closes.
+/// Diagnoses records of a damper with one additional effect, and asserts that the diagnosis names this effect alone.
+/// Returns the fraction of the gap between residual and noise that the improved model closes.
 fn names(effect: &str, set: &[(&str, f64)]) -> f64 {
     let mut truth = base();
     truth.enable(Element::find(effect).unwrap(), true);
@@ -136,8 +137,8 @@ fn a_bump_stop_is_named() {
     names("bump_stop", &[("bump_stop_clearance", 0.03), ("bump_stop_stiffness", 3e4)]);
 }
 
-/// Checks a gas whose thermal state changes more slowly than a cycle. A simulation that is compared with a mean cycle
-/// must therefore start from the state on the rig.
+/// Checks the diagnosis of a gas spring whose thermal state changes more slowly than a cycle. A simulation that is
+/// compared with a mean cycle must therefore start from the thermal state on the rig.
 #[test]
 #[ignore = "20 s, for the night; every run finds this gas with half of the tests"]
 fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
@@ -145,8 +146,8 @@ fn a_gas_that_takes_seconds_to_cool_is_found_whole() {
     assert!(gap > 0.95, "{gap}");
 }
 
-/// Checks that the intervals of the gas spring contain the true values. With few tests, a gas spring alone is ten times
-/// as probable as the true gas spring plus parallel spring.
+/// Checks that the intervals of the gas spring contain the true values. With few tests, a model with a gas spring alone
+/// is ten times as probable as the true model, with gas spring and parallel spring.
 #[test]
 fn an_interval_holds_what_a_less_probable_structure_says() {
     let mut truth = base();
@@ -184,7 +185,8 @@ fn a_worn_valve_is_told_against_the_damper_as_it_was() {
     };
     let found = against(&worn);
     assert_eq!(found.verdict, Verdict::Changed, "{}", describe(&found));
-    // The simplest explanation is one factor on the rebound curve.
+    // The forces of the worn damper differ by one factor on the rebound curve, so the diagnosis reports this factor as
+    // the first change.
     let change = &found.changes[0];
     assert_eq!(change.name, "rebound_curve", "{}", describe(&found));
     let rest: Vec<&Change> =
@@ -213,7 +215,8 @@ fn late(record: &Record, delay: f64) -> Record {
 /// Checks that the file of the improved model states the measurement errors of the rig, but that its damper does not
 /// contain them.
 ///
-/// If the file did not state the errors, the next evaluation of the same records would attribute them to the damper.
+/// If the file did not state the measurement errors, the next evaluation of these records would attribute the errors to
+/// the damper.
 #[test]
 fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model() {
     let model = base();
@@ -241,7 +244,7 @@ fn what_a_diagnosis_finds_of_the_rig_is_taken_out_again_with_the_improved_model(
     assert_eq!(again.verdict, Verdict::NothingMissing, "{}", describe(&again));
 }
 
-/// Checks that effects and residual of the same records do not depend on the initial model of the search.
+/// Checks that the effects and the residual that a diagnosis finds do not depend on the initial model of the search.
 #[test]
 fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     let mut truth = base();
@@ -277,8 +280,8 @@ fn the_answer_does_not_depend_on_the_model_that_one_starts_from() {
     assert!(answers[0].0.contains(&"bump_stop"), "{answers:?}");
 }
 
-/// Checks that the diagnosis reports the status of each effect. Here a stop replaces a spring that approximated the
-/// stop.
+/// Checks that the diagnosis reports the status of each effect. In this case, a stop replaces a spring that
+/// approximated the stop.
 #[test]
 fn a_spring_that_stood_for_a_stop_is_replaced() {
     let mut truth = base();

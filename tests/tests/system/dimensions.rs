@@ -1,9 +1,10 @@
-//! Dimensions of a damper through the command: explanation of a model, priors, and mistakes in the file.
+//! Tests of `dashpot` with a file of a damper's dimensions: explanation of a model, priors, and mistakes in the file.
 
 use dashpot_tests::cli::{done, json, refused};
 use std::path::Path;
 
-/// Model file of a monotube whose parameters correspond to 25 bar on a rod of 12 mm and an oil modulus of 1.2 GPa.
+/// Model file of a monotube. Its parameters correspond to a gas pressure of 25 bar on a rod of 12 mm diameter, and to
+/// an oil modulus of 1.2 GPa.
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"oil_compressibility\"]\ngas_force = 282.74\n\
      oil_stiffness = 1.0554e7\noil_shortening = 7.69\nfv_velocity = [-1.0, -0.3, -0.1, -0.05, 0.0, 0.05, 0.1, 0.3, 1.0]\n\
      fv_force = [-900.0, -500.0, -300.0, -100.0, 0.0, 200.0, 600.0, 1000.0, 1500.0]\n\n[identification.intervals]\n\
@@ -34,7 +35,7 @@ fn pressure_and_modulus_come_back_with_intervals() {
     for (name, truth, unit) in [("gas_pressure", 25.0, "bar gauge"), ("oil_modulus_effective", 1.2, "GPa")] {
         let quantity = quantity(&found, name);
         let number = |key: &str| quantity[key].as_f64().unwrap();
-        // The eyes of the drawing add a hundredth to the modulus.
+        // The stiffness of the eyes in the dimensions changes the modulus by about 1 %.
         assert!((number("value") / truth - 1.0).abs() < 0.015, "{quantity}");
         assert!(number("low") < truth && truth < number("high") && quantity["unit"] == unit, "{quantity}");
         assert!(number("model_error") > 1.0 && !quantity["from"].as_array().unwrap().is_empty(), "{quantity}");
@@ -75,7 +76,8 @@ fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_m
     assert!((contradiction["ratio"].as_f64().unwrap() - 240.0 / 114.04).abs() < 0.01, "{found}");
     let quantities = found["quantities"].as_array().unwrap();
     let pressure = quantities.iter().find(|of| of["name"] == "gas_pressure").unwrap();
-    // The pressure follows from the gas force and the rod, and the rod would have to be that of another damper.
+    // The pressure follows from the gas force and the rod. At the stated pressure, the rod would need a diameter of 16
+    // mm, that of another damper, so the pressure is the first cause.
     assert!(pressure.get("note").is_none(), "{found}");
     assert_eq!(contradiction["causes"][0]["entry"], "gas_pressure_bar", "{found}");
     assert_eq!(contradiction["entries"].as_array().unwrap().len(), 2);
@@ -143,7 +145,7 @@ fn a_family_is_explained_at_a_setting_with_the_intervals_there() {
     assert!(told.contains("depends on no setting"), "{told}");
 }
 
-/// Checks that dimensions also give priors of a damper over a setting. Its gas force is common to all settings, and
+/// Checks that dimensions also give priors of an adjustable damper. Its gas force is common to all settings, and
 /// contradicts wrong dimensions.
 #[test]
 fn a_family_is_fitted_and_diagnosed_with_dimensions() {

@@ -1,7 +1,7 @@
-//! An adjustable damper, fitted to data of a known damper.
+//! Tests of the fit of an adjustable damper to synthetic records of a damper with known parameters.
 //!
-//! The fit finds which parameters depend on the setting, the intervals contain the true values, and the model predicts
-//! a setting between the measured ones.
+//! The fit finds which parameters depend on the setting. The intervals contain the true values, and the model predicts
+//! the force at a setting between the measured settings.
 
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition};
@@ -22,7 +22,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 use std::sync::LazyLock;
 
-/// Measured currents, A; [`BETWEEN`] is a current without measurement.
+/// Currents of the records, A; [`BETWEEN`] is a current without records.
 const CURRENTS: [f64; 4] = [0.0, 0.4, 0.8, 1.2];
 const BETWEEN: f64 = 0.6;
 
@@ -41,7 +41,7 @@ fn matrix() -> Vec<Sine> {
     [(0.025, 0.005), (0.025, 0.13), (0.025, 0.52), (0.025, 1.05), (0.005, 0.26), (0.005, 0.52)].map(of).to_vec()
 }
 
-/// Simulates records of a damper at a current, with 1 % noise.
+/// Simulates records of a damper at a current, A, with force noise of 1 % of the rms force.
 fn records_at(damper: &Definition, current: f64, seed: u64) -> Vec<Record> {
     let mut records = kernel_campaign::campaign(&damper.params_at(current), &matrix(), seed, 0.01);
     for record in &mut records {
@@ -51,7 +51,8 @@ fn records_at(damper: &Definition, current: f64, seed: u64) -> Vec<Record> {
     records
 }
 
-/// Makes a damper whose force and knee velocity grow with the current; its friction depends on the current if given.
+/// Makes a damper whose force and knee velocity grow with the current. `friction` is the Coulomb friction at each of
+/// [`CURRENTS`], N, or `None` for a constant friction.
 ///
 /// Its FV table has the velocities that a fit of its records chooses. A table at other velocities would interpolate to
 /// another curve.
@@ -78,8 +79,8 @@ fn truth(friction: Option<[f64; 4]>) -> Definition {
     Definition { params, axis }
 }
 
-/// Returns options with the elements of [`truth`] only. A test of the valve needs no search for further effects, which
-/// would take most of the test's time.
+/// Returns fit options with the elements of [`truth`] only. A test of the valve needs no search for further effects,
+/// which would take most of the test's time.
 fn elements_of_truth() -> FitOptions {
     let elements = ["fv_curve", "coulomb_friction", "gas_preload", "series_compliance", "parallel_spring"];
     FitOptions { elements: Some(elements.map(str::to_owned).to_vec()), ..FitOptions::default() }
@@ -95,7 +96,7 @@ fn fitted_with(options: &FitOptions, damper: &Definition, seed: u64) -> FamilyFi
     fit_family(&records.iter().collect::<Vec<_>>(), "current", options, |_| ()).unwrap()
 }
 
-/// Coulomb friction at the currents, N, of the damper with growing friction.
+/// Coulomb friction at each of [`CURRENTS`], N, of the damper with growing friction.
 const GROWING: [f64; 4] = [20.0, 60.0, 110.0, 150.0];
 
 /// Returns the fit of the damper with growing friction, computed once.
@@ -108,7 +109,8 @@ fn varies(found: &FamilyFit, name: &str) -> Option<bool> {
     found.dependences.iter().find(|of| of.name == name).map(|of| of.varies)
 }
 
-/// Returns the number of a family's intervals that contain the true value, and the number of all its intervals.
+/// Returns the number of intervals of a fit over the setting that contain the true value, and the number of all its
+/// intervals.
 fn held(found: &FamilyFit, truth: &Definition) -> (usize, usize) {
     let (mut held, mut all) = (0, 0);
     for of in found.estimates.iter().filter(|of| of.estimate.standing == Standing::Identified) {
@@ -154,7 +156,7 @@ fn a_curve_that_depends_on_the_current_is_told_from_what_all_currents_share() {
     assert_eq!(found.damper.axis.name(), "current");
     let (held, all) = held(&found, &truth);
     assert!(all > 40 && 10 * held >= 9 * all, "{held} of {all} intervals hold the truth");
-    // Compare at a setting without records.
+    // The comparison is at a setting without records.
     let apart = apart(&truth.params_at(BETWEEN), &found.damper.params_at(BETWEEN));
     assert!(apart < 0.03, "{apart}");
     for of in &found.settings {
@@ -229,7 +231,8 @@ fn a_test_with_the_label_of_another_setting_is_named() {
     let wrong = records.iter_mut().rfind(is_fast).unwrap();
     wrong.setting.as_mut().unwrap().value = 0.0;
     let of_hard = wrong.name.clone();
-    // A wrong current that no other test states becomes a separate setting, which is fitted to this test alone.
+    // A wrong current that no other test states becomes a separate setting, which the fit determines from this test
+    // alone.
     let slipped = records.iter_mut().find(is_fast).unwrap();
     slipped.setting.as_mut().unwrap().value = 4.0;
     let of_soft = slipped.name.clone();
@@ -268,7 +271,7 @@ fn the_model_file_reads_back_as_the_fitted_family() {
     assert!(top(&soft) < top(&middle) && top(&middle) < top(&hard));
 }
 
-/// Reads records from a folder of data next to the project; `None` if this machine lacks the folder.
+/// Reads records from a folder of data next to the project. Returns `None` if this machine does not have the folder.
 fn measured(folder: &str) -> Option<Vec<Record>> {
     let path = dashpot_tests::measured::records(folder)?;
     let options = Options { subfolders: true, ..Options::default() };
@@ -297,8 +300,9 @@ fn a_measured_magneto_rheological_damper_is_followed_at_all_currents() {
     assert_eq!(varies(&found, "fv_force"), Some(true));
     assert_eq!(varies(&found, "gas_force"), Some(false), "{:?}", found.dependences);
     for of in &found.settings {
-        // The limits are figures of the book with a margin for changes of the search. The ratio of the left-out error
-        // to the error of the setting's own fit has no limit, because a better own fit increases this ratio.
+        // The limits are the errors stated in the book, with a margin for changes of the search. The ratio of the
+        // left-out error to the error of the setting's own fit has no limit, because a better own fit increases this
+        // ratio.
         assert!(of.family.mean_error_n < 1.25 * of.own_fit.mean_error_n, "{of:?}");
         assert!(of.left_out.is_none_or(|error| error.error_percent < 12.0), "{of:?}");
     }
@@ -338,7 +342,8 @@ fn a_damper_without_an_actuator_gets_none() {
     assert!(found.notes.iter().any(|note| note.to_string().contains("no actuator")), "{:?}", found.notes);
 }
 
-/// A rig mostly reaches each current from zero. The valve then stands at one end of its hysteresis.
+/// Checks the identification of the hysteresis position in tests at constant current. A rig mostly reaches each current
+/// from zero, and the valve is then at one end of its hysteresis.
 #[test]
 fn the_place_in_the_hysteresis_is_found_from_steps() {
     let mut valve = truth(None);
@@ -363,8 +368,9 @@ fn the_place_in_the_hysteresis_is_found_from_steps() {
     assert_eq!(found.damper.axis.actuator().rest, rest.value);
 }
 
-/// Checks that one test with steps identifies both lags and the dead time, although a common lag for both directions
-/// fits worse than no lag. Without a fall of the current, the lag of a fall is reported as not identified.
+/// Checks that one test with steps of the current identifies the lags of rise and fall and the dead time. This must
+/// hold although one common lag for both directions fits worse than no lag. Without a fall of the current, the lag of a
+/// fall is reported as not identified.
 #[test]
 fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so() {
     let mut valve = truth(None);
@@ -390,7 +396,7 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
         // command within a sample, but not the model error at intermediate currents.
         assert!((of.value - value).abs() < 0.1 * value && of.standing == Standing::Identified, "{of:?}");
     }
-    // Keep the record up to the first fall.
+    // This record ends at the first fall of the current.
     let rise = 950;
     let signal = whole.setting_signal.as_ref().unwrap();
     *records.last_mut().unwrap() = Record {
@@ -426,8 +432,8 @@ fn stepped(damper: &Definition) -> Record {
     let commanded = |i: i32| if (i / 500) % 2 == 0 { 0.0 } else { 1.2 };
     for i in 0..count {
         let (t, command) = (f64::from(i) / rate, commanded(i));
-        // The command changes in the middle of a sample interval, and the valve is integrated in tenths of this
-        // interval.
+        // The command of the current changes in the middle of a sample interval, and the valve is integrated in tenths
+        // of this interval.
         for part in 1..=10 {
             let (dt, since) = (0.1 / rate, f64::from(part - 10) * 0.1 / rate);
             let command = Some(commanded(if part > 5 { i } else { i - 1 }));
@@ -445,14 +451,15 @@ fn stepped(damper: &Definition) -> Record {
     record
 }
 
-/// Model file of a damper that depends on a pilot pressure. The time constant of its valve is 12 ms for rising and 20
-/// ms for falling pressure.
+/// Model file of a damper that depends on a pilot pressure, bar. The time constant of its valve is 12 ms for rising and
+/// 20 ms for falling pressure.
 const PILOTED: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nsetting = [2.0, 10.0]\n\
      setting_name = \"pressure\"\nsetting_unit = \"bar\"\nsetting_time_up = 0.012\nsetting_time_down = 0.020\ngas_force = 150.0\n\
      coulomb_force = 25.0\nfv_velocity = [-1.0, -0.3, -0.1, 0.0, 0.1, 0.3, 1.0]\n\
      fv_force = [[-700.0, -300.0, -150.0, 0.0, 250.0, 500.0, 1100.0], [-1700.0, -900.0, -500.0, 0.0, 900.0, 1700.0, 3000.0]]\n";
 
-/// Simulates a sine at commanded pressures and writes a record, with a pressure column if the pressure changes.
+/// Simulates a sine test with pairs of start time, s, and commanded pressure, bar, and writes a record. The record has
+/// a pressure column if the pressure changes.
 ///
 /// The valve receives a command in the step that ends at the time of the command. The column contains the command
 /// already `late` seconds before that time.
@@ -535,7 +542,7 @@ fn a_pressure_that_changes_within_a_test_is_fitted_and_validated_where_its_colum
     let errors = json(&dir.join("errors.json"));
     let responses = errors["step_responses"].as_array().unwrap();
     assert!(responses.len() == 2 && responses.iter().all(|of| of["measured"]["t63_s"].is_number()), "{errors}");
-    // A logger that records the command at the other end of the sample gives the same valve parameters.
+    // A logger that records the command one sample earlier gives valve parameters within the intervals, too.
     measure_piloted(dir, "steps", (0.03, 1.0, 1e-3), &steps, 1e-3);
     done(dir, &[&fit[..], &["--column", "setting=p pilot"]].concat());
     is_in_interval(&json(&dir.join("fit.json")));
@@ -553,8 +560,8 @@ fn the_valve_of_a_physical_damper_is_known_to_half_a_sample_of_a_slow_logger() {
         fit_family(&records.iter().collect::<Vec<_>>(), "current", &FitOptions::default(), |_| ()).unwrap()
     };
     let (fast, slow) = (fitted(1000.0).actuator.unwrap(), fitted(250.0).actuator.unwrap());
-    // Compare the times of rise and fall to 63 % (dead time plus time constant), because dead time and time constant
-    // are correlated.
+    // The test compares the times of rise and fall to 63 %. They are dead time plus time constant, whose estimates are
+    // correlated.
     let sum = |of: &ActuatorFit, name: &str| {
         let value = |name: &str| of.estimates.iter().find(|e| e.name == name).map_or(0.0, |e| e.value);
         value(name) + value("setting_dead_time")

@@ -1,5 +1,5 @@
-//! Runs every reader of files for some seconds under a fuzzer guided by branch coverage; the script `tests/fuzz/run` is
-//! given the seconds per reader. The environment variable DASHPOT_FUZZ sets other seconds.
+//! Runs every reader of files for five seconds under a fuzzer guided by branch coverage, with the script
+//! `tests/fuzz/run`. The environment variable DASHPOT_FUZZ sets another number of seconds per reader.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::cli::program;
@@ -17,11 +17,11 @@ fn no_reader_breaks_under_the_fuzzer() {
     for name in ["RUSTUP_TOOLCHAIN", "RUSTC", "CARGO", "RUSTC_WRAPPER", "CARGO_TARGET_DIR"] {
         run.env_remove(name);
     }
-    // The command exports valid FMUs as seeds.
+    // The script exports valid FMUs as seeds with the program `dashpot`.
     let out = run.arg(seconds).env("DASHPOT", program()).output().expect("bash");
     let told = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
     match out.status.code() {
-        // Code 3 means missing tools, which the last line names.
+        // Exit code 3 means missing tools, which the last line of the output names.
         Some(3) => skipped(told.trim().lines().last().unwrap_or_default()),
         code => assert_eq!(code, Some(0), "{told}"),
     }

@@ -1,4 +1,5 @@
-//! Dampers with an injected effect, measured on the virtual rig. The rig's equations differ from the model's.
+//! Tests of the diagnosis of dampers with an injected effect, with records of the virtual rig. The rig's equations
+//! differ from those of the diagnosed model.
 //!
 //! The cases are a fixed subset of the benchmark (`cargo run --release -p dashpot-proving --example prove -- full` runs
 //! all).
@@ -8,8 +9,8 @@ use dashpot_proving::outcome::{Outcome, judged};
 use dashpot_proving::score;
 use dashpot_severity::case::Case;
 
-/// Diagnoses a case with given strengths of the injected effects. Searching for the strengths that give the case's
-/// severities would take longer than the diagnosis.
+/// Diagnoses a case with given strengths of the injected effects. A search for the strengths that give the severities
+/// of the case would take longer than the diagnosis.
 fn outcome_at(strengths: &[f64], block: &'static str, case: &Case) -> Outcome {
     let measured = case.measure_at(strengths.to_vec(), &[]).unwrap();
     judged(block, case.options.seed, &case.effects, &measured, &Options::default()).unwrap().0
@@ -26,8 +27,8 @@ fn a_late_channel_is_named() {
     name_effects(&[("channel_delay", 1.7548, 90_002)]);
 }
 
-/// Diagnoses dampers with an effect each: its name, its strength, and the seed. The strengths give severity 2
-/// (`Case::strengths`). The seeds are used only here.
+/// Diagnoses one damper for each effect in `hidden`: name, strength and seed of the damper. The strengths give severity
+/// 2 (`Case::strengths`). No other test uses these seeds.
 fn name_effects(hidden: &[(&str, f64, u64)]) {
     let one = |(name, strength, seed): &(&str, f64, u64)| {
         outcome_at(&[*strength], "single", &Case::nothing(*seed).hiding(name, 2.0))
@@ -56,7 +57,7 @@ fn nothing_is_named_where_nothing_is_hidden() {
 
 #[test]
 fn what_is_in_no_catalogue_gets_no_name() {
-    // The strength 2.9923 gives the tilt severity 2.
+    // The injected strength 2.9923 gives the tilt of the crosshead the severity 2 of the case.
     let o = outcome_at(&[2.9923], "unknown", &Case::nothing(90_203).hiding("unknown_crosshead_tilt", 2.0));
     assert!(o.named.is_empty(), "{o:?}");
 }

@@ -1,7 +1,7 @@
-//! Damaged or malicious texts, through all readers of texts except those of records.
+//! Tests of all readers of text files, except those of records, with damaged or malicious texts.
 //!
-//! Each text is read, or rejected with a message, in bounded time. The test also uses the result of reading, because an
-//! accepted file must not break later steps.
+//! Each text must be read, or rejected with a message, in bounded time. The tests also use the data that were read,
+//! because an accepted file must not cause a failure of later steps.
 //!
 //! `src/records/tests/hostile.rs` tests the readers of records, `tests/tests/system/hosts/damaged.rs` the readers in C.
 //! DASHPOT_HOSTILE=100 multiplies the number of texts by a hundred.
@@ -24,14 +24,15 @@ use std::time::{Duration, Instant};
 
 /// Number of damaged texts that are made from each valid text.
 const ROUNDS: usize = 1500;
-/// Longest time in which a text must be read or rejected. The texts have a few kilobytes, but other programs may run in
-/// parallel.
+/// Longest time in which a text must be read or rejected. It is long for texts of a few kilobytes, because other
+/// programs may run in parallel.
 const PATIENCE: Duration = Duration::from_secs(20);
 
 /// A reader of a file; the error is the user's message.
 type Reader<'a> = &'a dyn Fn(&Path, &[u8]) -> Result<(), String>;
 
-/// Damages each valid text of `seeds` in many ways, and passes the results to `reader`. `name` is the name of the file.
+/// Damages each valid text of `seeds` at random [`ROUNDS`] times, and passes the results to `reader`. `name` is the
+/// name of the file.
 fn every_damage_is_read_or_refused(name: &str, seeds: &[String], reader: Reader<'_>) {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join(name);
@@ -63,7 +64,7 @@ fn every_damage_is_read_or_refused(name: &str, seeds: &[String], reader: Reader<
             assert!(began.elapsed() < PATIENCE, "{name} took {:?}:\n{text}", began.elapsed());
         }
     }
-    // Damage that is never or always accepted would test little.
+    // If the reader accepted all or none of the damaged texts, the test would check only one of its cases.
     assert!(read > 0 && refused > 0, "{name}: {read} read, {refused} refused");
     println!("{name}: {} texts, {read} read, {refused} refused", read + refused);
 }
@@ -72,7 +73,7 @@ fn text(bytes: &[u8]) -> Result<&str, String> {
     std::str::from_utf8(bytes).map_err(|e| e.to_string())
 }
 
-/// Computes the record of a simple damper on a sine; `amplitude` is in m, `frequency` in Hz.
+/// Computes the record of a simple damper in a sine test; `amplitude` is in m, `frequency` in Hz.
 fn record(amplitude: f64, frequency: f64) -> Record {
     let time: Vec<f64> = (0..241).map(|i| f64::from(i) / (80.0 * frequency)).collect();
     let omega = TAU * frequency;
@@ -97,7 +98,7 @@ fn record(amplitude: f64, frequency: f64) -> Record {
 fn whole_model() -> String {
     let mut params = Params::new();
     for element in Element::all() {
-        // Leave out an element that another one excludes.
+        // An element that another enabled element excludes stays disabled.
         let before = params;
         params.enable(element, true);
         if prepared(&params).is_err() {
@@ -231,7 +232,7 @@ fn files_of_adams() {
     every_damage_is_read_or_refused("damper.dpr", &seeds, &|_, bytes| {
         let read = property::read(bytes).map_err(|e| format!("{e:#}"))?;
         let form = property::Form::Xml;
-        // A valid file can be written, and reading it again gives the same values.
+        // The data of an accepted file can be written as a file, and reading this file gives the same values.
         let again = property::read(property::write(&read, form).as_bytes()).map_err(|e| format!("{e:#}"));
         let again = again.unwrap_or_else(|e| panic!("{e}\n{read:?}"));
         assert_eq!(again.curve.forces, read.curve.forces, "{read:?}");
@@ -245,7 +246,7 @@ fn files_of_adams() {
         let patched = patch(bytes, &damper, false).map_err(|e| format!("{e:#}"))?;
         let new = String::from_utf8_lossy(&patched.model);
         assert!(new.contains("dashpot_adams::Dashpot_sfosub"), "{new}");
-        // The string with the name of the model file has a separate id.
+        // The id of the STRING with the name of the model file differs from all other ids.
         let ids: Vec<String> = new
             .lines()
             .filter_map(|line| line.strip_prefix("STRING/"))
@@ -257,8 +258,8 @@ fn files_of_adams() {
     });
 }
 
-/// Number of accepted dimension files per explanation of a model. The other files are only read, because an explanation
-/// takes longer.
+/// Number of accepted dimension files for each one that is also used to explain a model. The other files are only read,
+/// because an explanation takes longer.
 const EXPLAINED: usize = 50;
 
 #[test]

@@ -1,4 +1,5 @@
-//! Identification on data from the kernel. The true values are known exactly, so the intervals can be tested.
+//! Tests of the identification on synthetic records from the kernel. The true values are known exactly, so the
+//! intervals can be tested.
 
 use dashpot_core::parameter::{Element, List, Number};
 use dashpot_core::{Model, Params};
@@ -28,8 +29,8 @@ fn matrix() -> Vec<Sine> {
     tests
 }
 
-/// Simulates the campaign. The noise is `noise` times each test's root mean square force, and `side` is the side force
-/// of each test.
+/// Simulates the campaign. The standard deviation of the force noise is `noise` times each test's root mean square
+/// force. `side` gives the side force of each test, N.
 fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Option<f64>) -> Vec<Record> {
     let mut tests = matrix();
     for (k, test) in tests.iter_mut().enumerate() {
@@ -41,7 +42,8 @@ fn campaign(params: &Params, seed: u64, noise: f64, side: impl Fn(usize) -> Opti
 /// Makes the default model without the viscous term. Its FV table has the velocities that a fit of this campaign
 /// chooses.
 ///
-/// A free FV curve absorbs the viscous term. A table at other velocities would interpolate to another curve.
+/// The viscous term is omitted, because a fitted FV curve absorbs it. A table at other velocities would interpolate to
+/// another curve.
 fn truth() -> Params {
     let mut params = Params::new();
     params.enable(element!("viscous_friction"), false);
@@ -58,12 +60,12 @@ fn fitted(records: &[Record]) -> Fit {
     fit(&records.iter().collect::<Vec<_>>(), &FitOptions::default(), |_| ()).unwrap()
 }
 
-/// Checks that a fit finds an oil column whose chambers differ in stiffness. With a series spring alone, the residual
-/// would be several times the noise.
+/// Checks that a fit finds a compressible oil column whose two chambers differ in stiffness. With a series spring
+/// alone, the residual would be several times the noise.
 #[test]
 fn an_oil_column_is_found_by_a_fit() {
     let mut truth = truth();
-    // A mount in series with the column would add its compliance to that of the column.
+    // A mount in series with the oil column would add its compliance to that of the column, so the damper has no mount.
     truth.enable(element!("series_compliance"), false);
     truth.enable(element!("oil_compressibility"), true);
     let (stiffness, ratio) = (2e6, 0.35);
@@ -83,7 +85,7 @@ fn an_oil_column_is_found_by_a_fit() {
 #[test]
 fn intervals_cover_the_truth_in_ninety_to_ninety_nine_of_a_hundred() {
     // Each seed takes three to five seconds on one core. With thirteen seeds, each scalar parameter has thirteen
-    // intervals, and all parameters together have about two hundred.
+    // intervals, and all parameters together have about two hundred intervals.
     cover_the_truth(1..=13);
 }
 
@@ -93,13 +95,14 @@ fn intervals_of_more_seeds_cover_the_truth() {
     cover_the_truth(1..=20);
 }
 
-/// Fits campaigns with these seeds. Asserts that 90 to 99 % of all intervals contain the true value, and that each
-/// parameter's fraction agrees with 95 %.
+/// Fits campaigns with these seeds. Asserts that 90 to 99 % of all intervals contain the true value. Also asserts that
+/// the fraction of each parameter is at most three standard deviations below 95 %.
 fn cover_the_truth(seeds: std::ops::RangeInclusive<u64>) {
     let count_of_seeds = seeds.clone().count() as u32;
     let truth = truth();
     let model = Model::new(&truth).unwrap();
-    // Two numbers for each parameter: all intervals, and the intervals that contain the true value.
+    // The two numbers for each parameter are the number of all intervals, and that of the intervals that contain the
+    // true value.
     let mut covered: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
     for seed in seeds {
         let found = fitted(&campaign(&truth, seed, 0.01, |_| None));
@@ -143,9 +146,10 @@ fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Rec
     for (k, record) in records.iter_mut().enumerate() {
         // The tests begin 80 s after each other; all but the last are shorter.
         record.time.iter_mut().for_each(|t| *t += 80.0 * k as f64);
-        // Add the inertia of a mass, with the motion at the time of the force.
+        // The first correction, with a negative mass, adds the inertia force of the mass, with the motion at the time
+        // of the force.
         *record = correct_record(record, &MeasurementError { mass_kg: -off.mass_kg, ..MeasurementError::NONE });
-        // Delay the force: each force belongs to an earlier motion.
+        // The second correction, with a negative delay, delays the force: each force belongs to an earlier motion.
         *record = correct_record(record, &MeasurementError { delay_s: -off.delay_s, ..MeasurementError::NONE });
         for (force, t) in record.force.iter_mut().zip(&record.time) {
             *force = *force * (1.0 + off.gain_per_s * t) + off.zero_n_per_s * t;
@@ -156,8 +160,8 @@ fn measured_wrongly(mut records: Vec<Record>, off: &MeasurementError) -> Vec<Rec
 
 #[test]
 fn what_the_measurement_is_off_by_is_found_and_does_not_become_the_damper() {
-    // One fit has too few intervals to test a coverage of 95 %. At least three of four contain the true value with
-    // probability 0.986.
+    // One fit has too few intervals to test a coverage of 95 %. At least three of four intervals contain the true value
+    // with probability 0.986.
     find_measurement_errors(&[], 1..=1, 0.75);
 }
 
@@ -171,7 +175,7 @@ fn intervals_of_measurement_errors_hold_the_truth() {
 /// least the fraction `coverage` of the intervals contain the true value.
 fn find_measurement_errors(alone: &[&str], seeds: std::ops::RangeInclusive<u64>, coverage: f64) {
     let truth = truth();
-    // The mass is much larger than that of a rod, which is about a kilogram.
+    // The mass of 4 kg is much larger than that of a rod, which is about 1 kg.
     let all = MeasurementError { delay_s: 0.7e-3, mass_kg: 4.0, gain_per_s: 4e-5, zero_n_per_s: -0.03 };
     let one = |name: &&str| {
         let none = MeasurementError::NONE;
@@ -213,11 +217,11 @@ fn find_measurement_errors(alone: &[&str], seeds: std::ops::RangeInclusive<u64>,
     assert!(f64::from(hits) / f64::from(count) >= coverage);
 }
 
-/// Long strokes at low frequency hardly distinguish a force delay of a third of a millisecond from a softer series
-/// path.
+/// Checks the interval of a stiffness with a force delay of 0.3 ms. Long strokes at low frequency hardly distinguish
+/// such a delay from a softer series path.
 ///
-/// In this case the fit does not accept the delay. The interval of the stiffness contains both estimates, with and
-/// without the delay.
+/// The fit may reject the delay. The interval of the stiffness must then contain both estimates, with and without the
+/// delay.
 #[test]
 fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
     const SEEDS: u64 = 4;
@@ -229,7 +233,8 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         let late: Vec<Record> =
             few.map(|r| correct_record(&r, &MeasurementError { delay_s: -0.3e-3, ..MeasurementError::NONE })).collect();
         let found = fitted(&late);
-        // A late channel may resemble an oil column more than a softer mount. Then the stiffness is that of the column.
+        // A delayed force channel may resemble an oil column more than a softer mount. Then the stiffness is that of
+        // the oil column.
         let is_stiffness = |e: &&Estimate| {
             ["series_stiffness", "oil_stiffness"].contains(&e.name) && e.standing == Standing::Identified
         };
@@ -238,8 +243,8 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         unbelieved += u32::from(found.measured.is_empty());
         far += u32::from(estimate.value < 0.9 * stiffness);
     }
-    // Half of the seeds must give a rejected delay, and half a stiffness that is more than 10 % too small. Otherwise
-    // the test would be meaningless.
+    // At least two of the four seeds must give a rejected delay, and at least two a stiffness that is more than 10 %
+    // too small. Otherwise, the test would not cover its case.
     assert!(unbelieved >= 2 && far >= 2, "{unbelieved} {far}");
 }
 
@@ -318,7 +323,7 @@ fn the_comparison_models_fit_too_and_are_worse() {
     let refs: Vec<&Record> = records.iter().collect();
     let of = |family| fit(&refs, &FitOptions { family, ..FitOptions::default() }, |_| ()).unwrap();
     let (thesis, fv, lag) = (of(Family::Thesis), of(Family::Fv), of(Family::Lag));
-    // The misfit is one if the residual is pure noise.
+    // The misfit is 1 if the residual is pure noise.
     assert!(thesis.misfit < 1.2, "{}", thesis.misfit);
     assert!(lag.misfit > 2.0 * thesis.misfit && fv.misfit > 2.0 * thesis.misfit, "{} {}", lag.misfit, fv.misfit);
     assert!(fv.params.is_on(element!("fv_curve")) && !fv.params.is_on(element!("series_compliance")));
@@ -340,7 +345,7 @@ fn an_element_left_out_on_purpose_stays_out() {
     );
 }
 
-/// Returns the largest error of a fitted FV curve between 20 mm/s and 1 m/s, N.
+/// Returns the largest error, N, of a fitted FV curve at speeds between 20 mm/s and 1 m/s in both directions.
 fn off_the_curve(found: &Fit, truth: &Params) -> f64 {
     let curves = [found.params, *truth].map(|params| Model::new(&params).unwrap());
     let at = |k: usize, v: f64| curves[k].elements().paths.fv_curve.evaluate(v).value;
@@ -356,7 +361,7 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     }
     tests.extend([0.041, 0.01].map(|frequency| Sine::new(0.01, frequency)));
     let mut sharp = kernel_campaign::base();
-    // The curve is linear up to 0.1 m/s. At this velocity, a blow-off valve opens.
+    // The sharp curve is linear up to 0.1 m/s. At this velocity, a blow-off valve opens, so that the curve has a knee.
     let speeds = [0.03, 0.06, 0.085, 0.095, 0.1, 0.105, 0.115, 0.2, 0.5, 1.2];
     let side = |slopes: [f64; 2]| speeds.map(|v: f64| slopes[0] * v.min(0.1) + slopes[1] * (v - 0.1).max(0.0));
     let both = |compression: [f64; 10], rebound: [f64; 10]| -> Vec<f64> {
@@ -367,7 +372,8 @@ fn a_sharp_knee_gets_points_and_a_round_curve_none() {
     let found = fitted(&kernel_campaign::campaign(&sharp, &tests, 3, 0.01));
     let points = |found: &Fit| found.params.list(list!("fv_velocity")).len();
     let with_a_knee = points(&found);
-    // If the velocities of the curve's points had fixed ratios alone, the error would be 60 N.
+    // With fixed ratios of the velocities of the curve's points, without additional points at the knee, the error would
+    // be 60 N.
     let off = off_the_curve(&found, &sharp);
     assert!(off < 25.0, "{off} N, {:?}", found.params.list(list!("fv_velocity")));
     let round = kernel_campaign::base();
@@ -409,7 +415,7 @@ fn find_stops(stops: &[(&str, f64)]) {
         let besides: Vec<&str> = effects(&found).into_iter().filter(|effect| *effect != side).collect();
         assert_eq!(besides, effects(&without_stop), "{side}");
         assert!(found.misfit < 1.2, "{side}: {}", found.misfit);
-        // A fit whose elements exclude the stop is worse.
+        // A fit with these elements, which exclude the stop, must have a larger misfit.
         let every = [
             "fv_curve",
             "series_compliance",
@@ -434,7 +440,7 @@ fn a_stop_by_the_law_of_others_is_found_too_and_a_damper_without_one_gets_none()
     let read = |case: &Case| dashpot_proving::laboratory::read(&case.run().unwrap()).unwrap();
     let protocol = Protocol { plan: Plan::Sines, ..Protocol::default() };
     let plain = Case { protocol, ..Case::new(Kind::ThesisLike, 11) };
-    // This stop is foam that buckles and relaxes.
+    // The stop `foam` of the second laboratory is foam that buckles and relaxes.
     let found = fitted(&read(&plain.clone().hiding("bump_stop:foam", 1.0)));
     assert!(found.params.is_on(element!("bump_stop")), "{:?}", found.inventory);
     let found = fitted(&read(&plain));

@@ -1,5 +1,5 @@
-//! The system as a whole: fits, diagnoses, the command and the hosts. They form one program, so that long tests run in
-//! parallel.
+//! Tests of the system as a whole: fits, diagnoses, the program `dashpot` and the hosts. They form one program, so that
+//! long tests run in parallel.
 
 mod accuracy;
 mod cli;

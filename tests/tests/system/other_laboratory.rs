@@ -1,5 +1,5 @@
-//! Tests the second laboratory. Its known effects are exactly those that the diagnosis can name, and its unknown
-//! effects are none of them. It uses no other crate of the project.
+//! Tests the second laboratory (crate `other_lab`). Its known effects are exactly those that the diagnosis can name,
+//! and its unknown effects are none of them. The crate uses no other crate of the project.
 
 use dashpot_diagnosis::EFFECTS;
 use std::collections::BTreeSet;

@@ -1,7 +1,7 @@
-//! Dampers of other sizes than those of passenger cars.
+//! Tests of dampers of other sizes than those of passenger cars.
 //!
-//! All forces of the records are scaled by 0.01 or 20. The fit must give the same model with scaled forces, with equal
-//! choices and equal relative error. The diagnosis must give equal names of effects.
+//! All forces of the records are scaled by 0.01 or 20. The fit must select the same elements, with scaled forces and
+//! equal relative error. The diagnosis must give the same names of effects.
 
 use dashpot_core::parameter::{Element, Number};
 use dashpot_core::{Params, element, list};
@@ -21,7 +21,7 @@ fn tests() -> Vec<Sine> {
     tests
 }
 
-/// Scales the forces of the records.
+/// Multiplies the forces and the noise of the records by a factor.
 fn times(records: &[Record], factor: f64) -> Vec<Record> {
     let of = |record: &Record| Record {
         force: record.force.iter().map(|force| factor * force).collect(),
@@ -31,9 +31,10 @@ fn times(records: &[Record], factor: f64) -> Vec<Record> {
     records.iter().map(of).collect()
 }
 
-/// Scales the forces of the model.
+/// Multiplies the forces of a model by a factor.
 fn model_times(model: &Params, factor: f64) -> Params {
-    // `as_car` scales a damper of another size to a car; the reciprocal factor scales in the other direction.
+    // `as_car` scales a damper of another size to the size of a car damper; the reciprocal factor scales in the other
+    // direction.
     Scale::of_force(1500.0 / factor).as_car(model)
 }
 
@@ -94,7 +95,7 @@ fn a_mass_in_a_damper_of_another_size_has_the_same_name() {
     has_the_same_name(&("moving_mass", &[("moving_mass", 2.0)]), &FACTORS);
 }
 
-/// Injected effect with its parameters.
+/// Name of an injected effect, with names and values of its parameters.
 type Hidden<'a> = (&'a str, &'a [(&'a str, f64)]);
 
 fn has_the_same_name((effect, numbers): &Hidden, factors: &[f64]) {

@@ -1,7 +1,7 @@
-//! Fast checks of the packages.
+//! Fast tests of the parts of the installation packages.
 //!
-//! Archives depend only on their files, every license may be shipped, and the scripts are valid. Building the packages
-//! takes long; `dist/check` tests the built packages.
+//! The bytes of archives depend only on their files, every license may be shipped, and the scripts are valid. Building
+//! the packages takes long; `dist/check` tests the built packages.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::{root, succeed};
@@ -102,13 +102,13 @@ fn a_wheel_follows_from_its_files_and_lists_them_with_their_checksums() {
     };
     let first = pack("first");
     succeed(Command::new("python3").args(["-c", INSTALLS]).arg(&first));
-    // A RECORD that already exists in the folder is ignored.
+    // The packing ignores a RECORD that already exists in the folder.
     std::fs::write(tree.join("name-1.dist-info/RECORD"), "of an earlier wheel\n").unwrap();
     assert!(std::fs::read(&first).unwrap() == std::fs::read(pack("second")).unwrap());
 }
 
-/// Checks that the bytes of the library do not depend on its folder. The linker for Windows derives a base address from
-/// the path of the library, unless an option disables this.
+/// Checks that the bytes of the Adams library for Windows do not depend on its folder. The linker for Windows derives a
+/// base address from the path of the library, unless an option disables this.
 ///
 /// Every address in the file depends on the base address.
 #[test]
@@ -148,8 +148,8 @@ fn a_library_for_windows_does_not_depend_on_its_folder() {
     }
 }
 
-/// Checks that every license of a crate is reviewed. An unreviewed license stops the build of a package, and this test
-/// detects it earlier.
+/// Checks that every license of a used crate is reviewed. An unreviewed license stops the build of a package; this test
+/// detects such a license earlier.
 #[test]
 fn every_licence_may_be_shipped() {
     if !has("python3") {

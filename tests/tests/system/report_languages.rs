@@ -22,7 +22,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 use std::sync::OnceLock;
 
-/// Units, symbols, file formats and the words of commands, which are equal in all languages.
+/// Units, symbols, file formats and words of command lines, which are equal in all languages.
 const SYMBOLS: &str = "mm N Hz ms kg m s J K W N·s/m N/mm mm/s m/s dv dx F v n c h x cm dashpot validate diagnose reference CSV FV SHA SHA-256 \
                        sha256sum rms lambda damper.toml rig/front rig/front/a.csv Dahl F_s F_v tanh";
 /// Texts, by language, that may be equal to the English text.
@@ -53,7 +53,8 @@ struct Case {
     found: Diagnosis,
 }
 
-/// Makes three cases: a diagnosis that finds an effect, one with a reference, and one without allowed effects.
+/// Makes three cases: a diagnosis that finds an effect, a diagnosis with a reference, and a diagnosis that may add no
+/// effect.
 fn cases() -> &'static [Case] {
     static CASES: OnceLock<Vec<Case>> = OnceLock::new();
     CASES.get_or_init(|| {
@@ -132,10 +133,10 @@ fn latin(text: &str) -> impl Iterator<Item = &str> {
 /// Returns whether a word is a name from a file, a unit or a symbol.
 fn is_name(word: &str) -> bool {
     let is_parameter = || parameter::table().any(|row| row.parameter.name == word);
-    // The parameters of the damper's heating, and `cylinder_expansion`, which no rig can identify, are not in the
-    // parameter table.
+    // These names in reports are not in the parameter table: the parameters of the damper's heating, and
+    // `cylinder_expansion`, which no rig can identify.
     let of_measurement = ["cooling_rate", "heat_capacity", "cylinder_expansion"].contains(&word);
-    // An unnamed hypothesis has the names of its components instead of an effect's name.
+    // A hypothesis of an unnamed effect has the names of its components instead of an effect's name.
     let is_tried =
         || cases().iter().flat_map(|c| c.found.iterations.iter().flatten()).any(|tried| tried.effect == word);
     let is_test = cases().iter().flat_map(|c| &c.records).any(|record| record.name == word);
@@ -156,7 +157,7 @@ fn is_name(word: &str) -> bool {
         || is_tried()
 }
 
-/// Returns whether a text may stay English. Only the meanings of parameters may.
+/// Returns whether a text may stay English, because it is the meaning of a parameter.
 fn stays(text: &str) -> bool {
     parameter::table().any(|row| row.parameter.meaning == text)
 }
@@ -186,7 +187,7 @@ fn german_and_french_reports_have_no_text_of_the_english_one() {
     assert!(same.is_empty(), "{same:#?}");
 }
 
-/// Returns the words of a text that contain a number with a decimal point.
+/// Returns the words of a text that contain a decimal point between digits.
 fn with_point(text: &str) -> impl Iterator<Item = &str> {
     let has_point = |word: &&str| {
         let parts: Vec<&str> = word.split('.').collect();
@@ -203,7 +204,7 @@ fn numbers_of_german_and_french_reports_have_a_decimal_comma_and_every_minus_is_
     for case in cases() {
         for (_, language) in Language::ALL {
             for text in every_text(&page(case, language)) {
-                // The version number and the options of the command keep their decimal points.
+                // The version number of dashpot and the options of commands keep their decimal points.
                 let plain = text.contains("dashpot 9.9") || text.contains("--");
                 if matches!(language, Language::German | Language::French) && !plain {
                     wrong.extend(with_point(&text).map(str::to_owned));
@@ -246,7 +247,7 @@ type Row = [Option<f64>; 4];
 
 const RATE: f64 = 1000.0;
 
-/// Makes the rows of a sine test of 20 mm at 2 Hz on a damper with friction and gas. The force has a small noise.
+/// Makes the rows of a sine test of 20 mm at 2 Hz on a damper with friction and gas. The force has noise of up to 1 N.
 fn rows() -> Vec<Row> {
     let mut noise = 0.4f64;
     let mut row = |k: usize| {
@@ -259,7 +260,8 @@ fn rows() -> Vec<Row> {
     (0..4000).map(&mut row).collect()
 }
 
-/// Writes the selected columns 0 (time), 1 (displacement), 2 (velocity) and 3 (force) under their headings.
+/// Writes a record with the selected columns 0 (time), 1 (displacement), 2 (velocity) and 3 (force) under their
+/// headings.
 fn write(folder: &Path, name: &str, columns: &[usize], rows: &[Row]) {
     let headings = ["time [s]", "displacement [mm]", "velocity [mm/s]", "force [N]"];
     let mut text = columns.iter().map(|c| headings[*c]).collect::<Vec<_>>().join(",") + "\n";
@@ -270,7 +272,7 @@ fn write(folder: &Path, name: &str, columns: &[usize], rows: &[Row]) {
     std::fs::write(folder.join(name), text).unwrap();
 }
 
-/// Writes a record for every flaw that is simple to produce.
+/// Writes a record for every kind of flaw that is simple to produce.
 fn flawed(folder: &Path) {
     let with = |change: &dyn Fn(usize, &mut Row)| {
         let mut rows = rows();
@@ -338,7 +340,7 @@ fn flawed(folder: &Path) {
             (row[1], row[3]) = (Some(x), Some(1.4 * v + 60.0 * (v / 3.0).tanh() - 150.0));
         }),
     );
-    // These records are unusable; the campaign omits them.
+    // The records from here on are unusable; the campaign omits them.
     write(folder, "short.csv", &[0, 1, 3], &plain[..12]);
     write(
         folder,
@@ -415,7 +417,8 @@ fn flawed_cases() -> &'static [Flawed] {
     })
 }
 
-/// Returns, by language, the validation report's texts on records and fit, and the reasons for omitted tests.
+/// Returns a function from a language code to the texts of the validation report on records and fit, including the
+/// reasons for omitted tests.
 fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
     let compared = compare(&case.model, &case.campaign, &|_, _| ()).unwrap();
     let validation = validate(&compared).unwrap();
@@ -430,7 +433,7 @@ fn remarks(case: &Flawed) -> impl Fn(&str) -> Vec<String> {
     }
 }
 
-/// Returns the words of a text in Latin letters, without the options of the command and their values.
+/// Returns the words of a text in Latin letters, without the options of commands and their values.
 fn without_options(text: &str) -> Vec<&str> {
     let mut words: Vec<&str> = Vec::new();
     let mut parts = text.split(|c: char| !(c.is_ascii_alphanumeric() || "_-./·".contains(c))).peekable();

@@ -1,4 +1,4 @@
-//! Campaigns reported by users, from the files to the result: the identified effects and measurement errors.
+//! Tests of campaigns that users reported, from the files to the result: the identified effects and measurement errors.
 //!
 //! Some campaigns are synthetic, so their tests run everywhere. The other campaigns are stored next to the checkout
 //! (`../shared/data/reports`).
@@ -26,7 +26,7 @@ fn diagnosed(campaign: &Campaign, model: &Params) -> Diagnosis {
     diagnose(&records, &[], model, &DiagnosisOptions::default(), &|_, _| ()).unwrap()
 }
 
-/// Returns the measurement errors of a fit: name and value.
+/// Returns the measurement errors that a fit found: name and value in SI units.
 fn errors(fit: &Fit) -> Vec<(&'static str, f64)> {
     fit.measured.iter().map(|m| (m.name, m.value)).collect()
 }
@@ -113,9 +113,10 @@ fn a_chamber_that_is_not_refilled_is_named_with_its_length() {
     assert_eq!(item.form, "rebound begins with a lost stroke");
     let lost = &finding.parameters["lost_stroke"];
     assert!((lost.value - 0.028).abs() < 0.003 && lost.low <= lost.value && lost.unit == "m", "{}", lost.value);
-    // The rebound force begins between two samples of the mean cycle, which are 2 mm of the stroke apart.
+    // The rebound force begins between two samples of the mean cycle, which are 2 mm of the stroke apart. The interval
+    // must therefore not be too narrow.
     assert!(lost.low < 0.0283 && lost.high - lost.low > 2e-4, "{} to {}", lost.low, lost.high);
-    // The lost part is 28 mm of a stroke of 130 to 134 mm.
+    // The part of the stroke without force is 28 mm of a stroke of 130 to 134 mm.
     let unfilled = finding.parameters["cavitation_unfilled"].value;
     let strokes = campaign.records.iter().map(|r| 2.0 * r.amplitude);
     assert!(strokes.into_iter().all(|stroke| (unfilled * stroke - 0.028).abs() < 0.003), "{unfilled}");
@@ -143,7 +144,8 @@ fn friction_that_fell_is_told_from_a_leak_in_rebound_by_constant_speeds() {
     assert!(!others.is_empty() && others.iter().all(|name| name.starts_with("rebound")), "{others:?}");
 }
 
-/// The sign of a staircase without standstill at its turning points is a guess.
+/// Checks the warning about an uncertain sign convention. For a test with constant velocities and no standstill at its
+/// reversals, the sign convention is a guess.
 #[test]
 fn an_uncertain_sign_is_a_warning_with_the_option() {
     let Some(records) = dashpot_tests::measured::records("reports/staircase_pair/a") else { return };

@@ -1,6 +1,6 @@
-//! Every block of unsafe code has a comment that justifies it. Clippy requires the same (`undocumented_unsafe_blocks`
-//! is denied in `Cargo.toml`); this test also runs without Clippy. If the tools are available, the C interface runs
-//! with memory checks.
+//! Tests that every block of unsafe code has a comment that justifies it. Clippy requires this, too
+//! (`undocumented_unsafe_blocks` is denied in `Cargo.toml`), but this test also runs without Clippy. If the tools are
+//! available, the C interface runs with memory checks.
 
 use dashpot_test_support::{rust_files, skipped};
 use dashpot_tests::library::root;
@@ -17,12 +17,13 @@ fn begins_unsafe(line: &str) -> bool {
     code.contains("unsafe {") || code.contains("unsafe impl")
 }
 
-/// Returns the numbers of the lines that begin unsafe code without `SAFETY:` in the comment above their statement.
+/// Returns the numbers of the lines of a Rust file that begin unsafe code without `SAFETY:` in the comment above their
+/// statement.
 fn without_reason(text: &str) -> Vec<usize> {
     let lines: Vec<&str> = text.lines().collect();
     let is_comment = |k: usize| lines[k].trim_start().starts_with("//");
     let unreasoned = |k: usize| {
-        // A statement may have several lines, and more than one of them may begin unsafe code.
+        // A statement may have several lines, so the comment may be up to four lines above the line with `unsafe`.
         let mut above = k;
         while above > 0 && !is_comment(above) && k - above < 4 {
             above -= 1;
@@ -71,7 +72,7 @@ fn a_block_without_a_reason_is_found() {
 /// require.
 ///
 /// Returns `None` if cargo fails with the arguments `asks_for`, because a component is missing. Otherwise returns
-/// whether the tests passed, and their output.
+/// whether the tests passed, and the output of the run.
 fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option<(bool, String)> {
     let cargo = |args: &[&str]| {
         let mut command = Command::new("cargo");

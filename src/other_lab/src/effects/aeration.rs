@@ -1,4 +1,4 @@
-//! Air in the oil.
+//! Injected effect of air in the oil.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -6,10 +6,10 @@ use crate::plant::Scale;
 
 pub(super) const EFFECT: Effect = Effect { name: "aeration", laws: &[("henry", henry as Make), ("pocket", pocket)] };
 
-/// Bubbles that are compressed and, by Henry's law, dissolve with time constants.
+/// Air bubbles that are compressed and, by Henry's law, dissolve under pressure with time constants.
 ///
-/// Release is fast and dissolution is slow (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J. Fluid
-/// Power 13, 2012).
+/// Release of air is fast and dissolution is slow (Yu, Chen & Lu, Fluid power transm. 1994; Kim & Murrenhoff, Int. J.
+/// Fluid Power 13, 2012).
 struct Henry {
     stroke: f64,
     force: f64,
@@ -52,7 +52,7 @@ fn henry(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
 struct Pocket {
     stroke: f64,
     force: f64,
-    /// Fractions of the pocket in the rebound and the compression chamber.
+    /// Relative sizes of the air pocket in the rebound and the compression chamber; the larger one is 1.
     sides: [f64; 2],
 }
 

@@ -1,4 +1,4 @@
-//! The stop at the end of the compression stroke; see [`super::stop`].
+//! Injected effect of a stop at the end of the compression stroke; [`super::stop`] contains its laws.
 
 use super::{Effect, EffectModel, Make, stop};
 use crate::draw::Draw;

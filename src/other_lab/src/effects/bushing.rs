@@ -1,4 +1,4 @@
-//! A rubber mount in series with the damper, with relaxation or slip.
+//! Injected effect of a rubber mount in series with the damper, with relaxation or internal slip.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -12,8 +12,8 @@ const BRANCHES: usize = 5;
 /// A force proportional to a fractional derivative of the mount's deflection, in parallel with a spring that is softer
 /// than the mount.
 ///
-/// Five Maxwell elements with time constants a factor of eight apart approximate the derivative (Sjöberg & Kari, Veh.
-/// Syst. Dyn. 37, 2002; Oustaloup's approximation).
+/// Five Maxwell elements with time constants a factor of eight apart approximate the fractional derivative (Sjöberg &
+/// Kari, Veh. Syst. Dyn. 37, 2002; Oustaloup's approximation).
 struct Fractional {
     compliance: f64,
     stiffness: [f64; BRANCHES],
@@ -51,7 +51,8 @@ fn fractional(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel
 
 const SLIDERS: usize = 4;
 
-/// Filled rubber with friction in the filler, so that the mount is stiffer for small motion.
+/// Mount of filled rubber with friction in the filler (carbon black), so that it is stiffer for small motion than for
+/// large motion.
 ///
 /// The friction force grows with the root of the deflection since the last reversal (Coveney & Johnson, triboelastic
 /// model, 1995; Fletcher & Gent 1953). The elastic part hardens like the hyperbolic sine.
@@ -84,8 +85,8 @@ impl EffectModel for Triboelastic {
 fn triboelastic(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     let k = scale.series_n_m.min(1.5e6);
     let first = d.between(0.4, 0.8);
-    // The friction force should grow with the root of the deflection. So the stiffness of each friction element
-    // decreases with the root of its slip length.
+    // The stiffness of each friction element is inversely proportional to the root of its slip length. The friction
+    // force then grows with the root of the deflection.
     let slips: [f64; SLIDERS] = std::array::from_fn(|i| 2e-5 * 4f64.powi(i as i32));
     Box::new(Triboelastic {
         compliance: strength * d.between(1.5, 3.0) / k,

@@ -1,4 +1,5 @@
-//! Voids that open in one stroke and must close in the other stroke.
+//! Injected effect of cavitation: voids that open in one stroke and must close before the force of the other stroke
+//! builds up.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -12,16 +13,16 @@ pub(super) const EFFECT: Effect =
 /// The volume of the void is proportional to the released gas (Zhou, Vacca & Manhartsgruber, J. Fluids Eng. 135, 2013,
 /// after Singhal's full cavitation model, 2002).
 struct GasRelease {
-    /// Hydraulic compression force at the onset of release, N. `width` is the range of forces over which the release
-    /// begins, N.
+    /// Hydraulic compression force at which gas release begins, N. `width` is the range of forces over which the
+    /// release begins, N.
     onset: f64,
     width: f64,
-    /// Rate of the void's growth at twice the onset, as a velocity, m/s.
+    /// Rate of the void's growth at twice the force `onset`, as a piston velocity, m/s.
     rate: f64,
     back: f64,
 }
 
-/// Void length below which its closing slows down, m.
+/// Length of a void below which its closing slows down, m.
 const CLOSED: f64 = 2e-5;
 
 impl GasRelease {
@@ -29,7 +30,8 @@ impl GasRelease {
         let beyond = (-here.hydraulic - self.onset) / self.width;
         let void = s[0].max(0.0);
         let releases = self.rate * softplus(beyond) * self.width / self.onset;
-        // A pressure above the threshold compresses the gas, and the remaining gas dissolves.
+        // At a pressure above the threshold of release, the gas is compressed, and it dissolves with the time constant
+        // `back`.
         let closes =
             (softplus(-beyond) * self.width / self.onset * self.rate + void / self.back) * void / (void + CLOSED);
         releases - closes
@@ -57,12 +59,14 @@ fn gas_release(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectMode
     Box::new(GasRelease { onset, width: 0.04 * onset, rate: strength * d.between(0.3, 0.8), back: d.scale(0.05, 0.3) })
 }
 
-/// A starved intake: the pressure of the reserve limits the flow through the intake valve.
+/// A starved intake: the pressure of the reserve chamber limits the flow through the intake valve.
 ///
-/// In a fast rebound stroke, the compression chamber stays partly unfilled. The intake continues to fill it, and the
-/// compression stroke begins with a void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27, 1997).
+/// In a fast rebound stroke, the compression chamber stays partly unfilled. The intake continues to fill the chamber,
+/// but the compression stroke begins with a void (Dixon 2007, ch. 6; Duym, Stiens & Reybrouck, Veh. Syst. Dyn. 27,
+/// 1997).
 struct StarvedIntake {
-    /// Largest piston velocity at which the intake fills the chamber, m/s. `edge` is the width of this limit, m/s.
+    /// Largest piston velocity at which the intake fills the compression chamber completely, m/s. `edge` is the width
+    /// of the transition, m/s.
     follows: f64,
     edge: f64,
     share: f64,
@@ -74,7 +78,7 @@ impl StarvedIntake {
         let lags = self.share * softplus((here.v - self.follows) / self.edge) * self.edge;
         let is_open = void / (void + CLOSED);
         let still_fills = 0.1 * self.share * self.follows;
-        // The compression stroke closes the void.
+        // In compression (v < 0) the piston closes the void at its own velocity.
         lags - is_open * (still_fills + (-here.v).max(0.0))
     }
 }

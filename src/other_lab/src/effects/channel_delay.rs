@@ -1,4 +1,4 @@
-//! A delayed force channel.
+//! Injected measurement error of a delayed force channel.
 
 use super::{Effect, EffectModel, Make};
 use crate::draw::Draw;
@@ -8,7 +8,8 @@ use crate::trace::interpolate;
 pub(super) const EFFECT: Effect =
     Effect { name: "channel_delay", laws: &[("latency", latency as Make), ("boxcar", boxcar)] };
 
-/// A converter with a queue after a first-order filter. The length of the queue differs from test to test.
+/// An analog-to-digital converter with a queue of samples after a first-order filter. The delay by the queue differs
+/// from test to test.
 struct Latency {
     queue: f64,
     varies: f64,
@@ -23,7 +24,7 @@ impl EffectModel for Latency {
         let mut state = force[0];
         for i in 1..time.len() {
             let h = time[i] - time[i - 1];
-            // The formula is exact for a force that is linear between the sample times.
+            // This step of the first-order filter is exact for a force that is linear between the sample times.
             let (e, slope) = (libm::exp(-h / self.filter), (force[i] - force[i - 1]) / h);
             state = force[i] - slope * self.filter + (state - force[i - 1] + slope * self.filter) * e;
             filtered[i] = state;
@@ -38,8 +39,8 @@ fn latency(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Latency { queue: all - filter, varies: d.between(0.1, 0.3), filter, seed: (d.fraction() * 1e9) as u64 })
 }
 
-/// A converter that integrates over a window and returns the mean at the end of the window (dual-slope conversion;
-/// Horowitz & Hill).
+/// An analog-to-digital converter that integrates over a time window and returns the mean at the end of the window
+/// (dual-slope conversion; Horowitz & Hill).
 struct Boxcar {
     window: f64,
 }

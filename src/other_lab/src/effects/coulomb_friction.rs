@@ -1,4 +1,4 @@
-//! Dry friction in addition to that of the seal.
+//! Injected effect of dry friction in addition to that of the damper's seal.
 
 use super::{Effect, EffectModel, Here, Make, soft_sign};
 use crate::draw::Draw;
@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "coulomb_friction", laws: &[("lip", lip as Make), ("logarithmic", logarithmic)] };
 
-/// A lip seal with different friction in the two strokes (Müller & Nau, Fluid Sealing Technology, 1998).
+/// A lip seal with different friction in rebound and in compression (Müller & Nau, Fluid Sealing Technology, 1998).
 struct Lip {
     out: f64,
     back: f64,

@@ -1,4 +1,4 @@
-//! A force channel with a drifting zero.
+//! Injected measurement error of a force channel with a drifting zero.
 
 use super::{Effect, EffectModel, Make, Reading};
 use crate::draw::Draw;
@@ -7,8 +7,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "force_drift", laws: &[("diffusion", diffusion as Make), ("wander", wander)] };
 
-/// Drift due to heat that diffuses into the load cell through its flange. It is initially proportional to the root of
-/// time (Carslaw & Jaeger, half space).
+/// Drift of the zero due to heat that diffuses into the load cell through its flange. The drift is initially
+/// proportional to the root of time (Carslaw & Jaeger, half space).
 struct Diffusion {
     force: f64,
     length: f64,
@@ -28,8 +28,8 @@ fn diffusion(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
 
 const WAVES: usize = 3;
 
-/// A slow random drift, for example due to drafts and a switching heater. Its waves have 0.4 to 2.6 periods per
-/// campaign.
+/// A slow random drift of the zero, for example due to drafts and a switching heater. It is a sum of three sine waves
+/// with 0.4 to 2.6 periods per campaign.
 struct Wander {
     waves: [[f64; 3]; WAVES],
 }

@@ -1,4 +1,4 @@
-//! A force channel with a wrong zero.
+//! Injected measurement error of a force channel with a wrong zero.
 
 use super::{Effect, EffectModel, Make, Reading};
 use crate::draw::Draw;
@@ -7,7 +7,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "force_offset", laws: &[("two_ranges", two_ranges as Make), ("warm_bridge", warm_bridge)] };
 
-/// An amplifier with a fine and a coarse range that have different zeros.
+/// An amplifier with a fine and a coarse range that have different zeros. The largest force of a test selects the
+/// range.
 struct TwoRanges {
     fine: f64,
     coarse: f64,
@@ -25,8 +26,8 @@ fn two_ranges(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel
     Box::new(TwoRanges { fine: coarse * d.between(0.3, 0.7), coarse, switches: d.between(0.15, 0.4) * scale.rebound_n })
 }
 
-/// A bridge that was balanced at low temperature. Its zero depends on the temperature near the damper (Hoffmann, An
-/// Introduction to Stress Analysis using Strain Gauges).
+/// A strain-gauge bridge that was balanced at low temperature. Its zero depends on the temperature near the damper
+/// (Hoffmann, An Introduction to Stress Analysis using Strain Gauges).
 struct WarmBridge {
     constant: f64,
     per_kelvin: f64,

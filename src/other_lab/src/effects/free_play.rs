@@ -1,4 +1,4 @@
-//! An eye or mount with a gap.
+//! Injected effect of free play: an eye or mount of the damper with a gap.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,8 +7,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "free_play", laws: &[("worn_eye", worn_eye as Make), ("offset_gap", offset_gap)] };
 
-/// A gap that closes gradually: the deflection of the gap at the force F is g tanh(F/F_0). Here, g is the gap, m, and
-/// F_0 the force scale of its closing, N.
+/// A gap that closes gradually: its deflection at the force F, N, is g tanh(F/F_0). Here, g is half the play, m, and
+/// F_0 the force scale of the closing, N.
 ///
 /// (Kogan, free-play smoothing; Kim, Rook & Singh, J. Sound Vib. 263, 2003, on smoothened clearances.)
 struct WornEye {
@@ -27,10 +27,9 @@ fn worn_eye(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(WornEye { gap: strength * d.between(1.5e-4, 3.5e-4), force: d.scale(15.0, 50.0) })
 }
 
-/// A gap shifted by weight or clamping.
+/// A gap that weight or clamping shifts, so that it opens at a nonzero force.
 ///
-/// The gap opens at a nonzero force, and the contact law is that of an asperity distribution (Greenwood & Williamson,
-/// Proc. R. Soc. A 295, 1966).
+/// The contact law is that of a distribution of surface asperities (Greenwood & Williamson, Proc. R. Soc. A 295, 1966).
 struct OffsetGap {
     gap: f64,
     at: f64,

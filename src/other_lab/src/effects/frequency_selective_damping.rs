@@ -1,4 +1,4 @@
-//! Reduced damping for short, fast strokes.
+//! Injected effect of frequency-selective damping: reduced damping for short, fast strokes.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,21 +9,22 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("travelling_piston", travelling_piston as Make), ("pilot_chamber", pilot_chamber)],
 };
 
-/// A small piston in a passage through the rod.
+/// A small free piston in a bypass passage through the rod.
 ///
-/// In short strokes, the piston moves freely. In long strokes, it reaches its end and closes the passage
-/// (amplitude-selective damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
+/// In short strokes of the damper, the small piston moves freely. In long strokes, it reaches its stop and closes the
+/// passage (amplitude-selective damping; Gołdasz, Acta Mech. Autom. 2012; Yao et al., SAE 2002-01-2811).
 struct TravellingPiston {
-    /// Stroke of the damper that moves the piston to its end, m.
+    /// Stroke of the damper, m, that moves the small piston from its center to its stop, if all oil flows through the
+    /// passage.
     travel: f64,
-    /// Force of the passage at a damper velocity of 1 m/s, N.
+    /// Laminar resistance of the passage, N s/m. Its value in N is also the force at which the flow becomes turbulent.
     resistance: f64,
     end: f64,
 }
 
 impl TravellingPiston {
     fn moves(&self, here: &Here, s: &[f64]) -> f64 {
-        // The state is the piston's position between the ends, from -1 to 1.
+        // The state is the position of the small piston between its stops, from about -1 to 1.
         let driven = here.hydraulic - self.end * s[0].powi(7);
         driven / (self.resistance * (1.0 + (driven.abs() / self.resistance)).sqrt())
     }
@@ -37,15 +38,15 @@ impl EffectModel for TravellingPiston {
         r[0] = self.moves(here, s) / self.travel;
     }
     fn taken(&self, here: &Here, s: &[f64]) -> f64 {
-        // `moves` returns the piston's flow as a velocity of the damper.
+        // `moves` returns the flow that the small piston displaces, as a piston velocity of the damper, m/s.
         self.moves(here, s)
     }
 }
 
 fn travelling_piston(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     let h = 0.5 * (scale.rebound_n + scale.compression_n);
-    // A stronger effect has a larger piston, with more stroke and less resistance. At strength 0 the piston has no
-    // stroke.
+    // A stronger effect has a larger small piston, with more stroke and less resistance. At strength 0, this piston has
+    // nearly no stroke.
     let strength = strength.max(1e-6);
     Box::new(TravellingPiston {
         travel: strength * d.between(1.5e-3, 4e-3),
@@ -54,7 +55,8 @@ fn travelling_piston(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn Effe
     })
 }
 
-/// A pilot chamber behind the valve. Its pressure follows the main pressure through a small orifice.
+/// A pilot chamber behind the valve of the damper's piston. Its pressure follows the main pressure through a small
+/// orifice.
 ///
 /// While the pilot pressure lags, the valve opens further (Küçük, Yang, et al., SAE 2009; KONI FSD patent EP 1442227).
 struct PilotChamber {

@@ -1,4 +1,4 @@
-//! A gas force that varies.
+//! Injected effect of an additional gas force that varies over the campaign or over the stroke.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,8 +7,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "gas_preload", laws: &[("leaking", leaking as Make), ("sticking_piston", sticking_piston)] };
 
-/// A seal that leaks gas through an orifice: the pressure falls exponentially over the campaign (choked flow; Shigley,
-/// compressed-gas tables).
+/// A seal that leaks gas through an orifice: a part of the gas force decays exponentially over the campaign (choked
+/// flow; Shigley, compressed-gas tables).
 struct Leaking {
     force: f64,
     share: f64,
@@ -26,7 +26,8 @@ fn leaking(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Leaking { force, share: d.between(0.3, 0.6), per_campaign: d.between(1.0, 3.0) })
 }
 
-/// O-ring of a floating piston, which maintains a pressure difference that reverses with the stroke.
+/// Friction of the O-ring of a floating piston. It maintains a pressure difference between gas and oil, which reverses
+/// with the stroke.
 ///
 /// The friction of the O-ring is 0.1 to 0.3 of the gas force (Karaszewski, Hydraulic seals).
 struct StickingPiston {
@@ -40,7 +41,8 @@ impl EffectModel for StickingPiston {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The O-ring first rolls and then slides.
+        // After a reversal, the O-ring first rolls and then slides. The state is the friction relative to its largest
+        // value.
         r[0] = (here.v - here.v.abs() * s[0].powi(3)) / self.length;
     }
     fn parallel(&self, _: &Here, s: &[f64]) -> f64 {

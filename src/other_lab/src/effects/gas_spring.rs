@@ -1,4 +1,4 @@
-//! A gas force that increases in compression.
+//! Injected effect of a gas spring: a gas force that increases in compression.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -10,7 +10,7 @@ pub(super) const EFFECT: Effect =
 /// Two gas volumes that the rod compresses together: one thin-walled (slow, isothermal) and one well insulated
 /// (adiabatic).
 ///
-/// An example is a gas bag next to a free surface (Dixon, The Shock Absorber Handbook, 2007, ch. 5).
+/// An example is a gas bag next to a free oil surface (Dixon, The Shock Absorber Handbook, 2007, ch. 5).
 struct TwoColumns {
     force: f64,
     share: f64,
@@ -32,8 +32,8 @@ fn two_columns(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectMode
     })
 }
 
-/// Real gas by Redlich and Kwong (Chem. Rev. 44, 1949), isothermal, with the finite volume of the molecules at high
-/// pressure.
+/// Isothermal real gas with the law of Redlich and Kwong (Chem. Rev. 44, 1949), which includes the finite volume of the
+/// molecules at high pressure.
 struct RedlichKwong {
     force: f64,
     length: f64,

@@ -1,4 +1,4 @@
-//! A gas force that increases with the damper's temperature.
+//! Injected effect of a gas force that increases with the damper's temperature.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -18,7 +18,8 @@ const EXPANSION: f64 = 8e-4;
 /// An ideal gas behind a floating piston.
 ///
 /// The gas pressure increases with the absolute temperature. It also increases because expanding oil reduces the gas
-/// volume (Dixon, The Shock Absorber Handbook, 2007, ch. 5). In compression, the gas volume is smaller.
+/// volume (Dixon, The Shock Absorber Handbook, 2007, ch. 5). The increase is larger in compression, where the gas
+/// volume is smaller.
 struct RoomTakenByOil {
     force: f64,
     /// Ratio of oil volume to gas volume.

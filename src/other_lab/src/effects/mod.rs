@@ -1,6 +1,8 @@
-//! Effects that can be injected into a damper or its rig: one file per effect, every law with its source.
+//! Effects that can be injected into a damper or its rig: one file per effect, which contains its laws (alternative
+//! equations) with their sources.
 //!
-//! A law of strength 0 has no influence. The effect increases monotonically with strength, and 1 is a typical case.
+//! At strength 0, a law has no influence. Its influence increases monotonically with the strength, and 1 is a typical
+//! case.
 
 mod aeration;
 mod bump_stop;
@@ -42,19 +44,19 @@ pub struct Here {
     pub clock: f64,
     /// Elapsed fraction of the campaign.
     pub progress: f64,
-    /// Displacement, velocity and acceleration of the moving end.
+    /// Displacement, m, velocity, m/s, and acceleration, m/s², of the moving end.
     pub input: crate::jet::Jet,
     /// Displacement of the part of the damper with friction and springs, m.
     pub x: f64,
     /// Velocity of the part of the damper with friction and springs, m/s.
     pub v: f64,
-    /// Hydraulic force, N.
+    /// Hydraulic force from the pressure differences across the valves, N, positive in rebound.
     pub hydraulic: f64,
     /// Elastic force of the mount, N.
     pub mount: f64,
     /// Rate of the mount's deflection without the injected effects in series with it, m/s.
     pub mount_rate: f64,
-    /// Side force, N.
+    /// Side force on the rod, N.
     pub side: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,
@@ -69,9 +71,9 @@ pub struct Reading {
     pub clock: f64,
     /// Elapsed fraction of the campaign.
     pub progress: f64,
-    /// Motion of the moving end: displacement, velocity and acceleration.
+    /// Displacement, m, velocity, m/s, and acceleration, m/s², of the moving end.
     pub input: crate::jet::Jet,
-    /// Force in the channel before this effect is added, N.
+    /// Force in the force channel before this effect is added, N.
     pub force: f64,
     /// Temperature of the oil, °C.
     pub oil_c: f64,
@@ -79,56 +81,57 @@ pub struct Reading {
     pub peak: f64,
 }
 
-/// An effect that can be injected. It overrides the functions of the quantities that it influences.
+/// A law of an effect that can be injected. It overrides the functions of the quantities that it influences.
 pub trait EffectModel: Send + Sync {
     /// Returns the error tolerances of the effect's states, one per state.
     fn tolerances(&self) -> &[f64] {
         &[]
     }
-    /// Computes the rates of the effect's states.
+    /// Computes the time derivatives of the effect's states.
     fn rates(&self, _: &Here, _states: &[f64], _rates: &mut [f64]) {}
-    /// Returns a force in parallel with the damper, N.
+    /// Returns an additional force in parallel with the damper, N.
     fn parallel(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a compliance in series with the mount, m/N.
+    /// Returns an additional compliance in series with the mount, m/N.
     fn series(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a force in parallel with the mount, N.
+    /// Returns an additional force in parallel with the mount, N.
     fn parallel_to_mount(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a compliance of the oil column, m/N.
+    /// Returns an additional compliance of the oil column, m/N.
     fn column(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a flow that bypasses the valves, as a velocity, m/s.
+    /// Returns an additional flow that bypasses the valves, as a piston velocity, m/s.
     fn taken(&self, _: &Here, _states: &[f64]) -> f64 {
         0.0
     }
-    /// Returns a factor on the flow through the valves.
+    /// Returns the factor by which the flow through the valves is multiplied.
     fn gain(&self, _: &Here, _states: &[f64]) -> f64 {
         1.0
     }
-    /// Returns a factor on the effective viscosity in the valves.
+    /// Returns the factor by which the effective viscosity in the valves is multiplied.
     fn viscosity(&self, _: &Here, _states: &[f64]) -> f64 {
         1.0
     }
-    /// Returns the force that the force channel reads in addition to the true force, N.
+    /// Returns the force that the force channel shows in addition to the true force, N.
     fn reads(&self, _: &Reading) -> f64 {
         0.0
     }
     /// Transforms the force of a whole test in the force channel; `time` contains the times of `force`, s. The number
     /// of the test selects the values that are random from test to test.
     fn channel(&self, _test: u64, _time: &[f64], _force: &mut Vec<f64>) {}
-    /// Returns the reading of the displacement channel, m, at the true displacement `x`, m.
+    /// Returns the displacement that the displacement channel shows, m, at the true displacement `x`, m.
     fn displacement(&self, x: f64) -> f64 {
         x
     }
 }
 
-/// Function that makes an effect of a strength. The parameters of the effect are random and scaled to the damper.
+/// Function that makes a law with a strength. The other parameters of the law are drawn at random and scaled to the
+/// damper.
 pub type Make = fn(f64, &Scale, &mut Draw) -> Box<dyn EffectModel>;
 
 /// An effect's name and laws.
@@ -139,7 +142,7 @@ pub struct Effect {
     pub laws: &'static [(&'static str, Make)],
 }
 
-/// An effect outside of all catalogs of damper models.
+/// An effect in no catalog of damper models, to which a diagnosis should give no known name.
 pub struct Unknown {
     /// Name and laws.
     pub effect: Effect,
@@ -176,7 +179,7 @@ pub const KNOWN: &[Effect] = &[
     gas_warming::EFFECT,
 ];
 
-/// Effects to which the diagnosis should not assign the name of a known effect.
+/// Injected effects in no catalog of damper models, to which a diagnosis should give no known name.
 pub const UNKNOWN: &[Unknown] = unknown::ALL;
 
 /// Finds an effect by name, known or unknown. Returns `None` for any other name.

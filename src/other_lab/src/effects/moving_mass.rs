@@ -1,4 +1,4 @@
-//! Mass that moves with the damper's end, in the force path.
+//! Injected effect of a mass that moves with the damper's end and whose inertia force reaches the load cell.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,8 +9,8 @@ pub(super) const EFFECT: Effect =
 
 /// Inertia of oil in a long passage.
 ///
-/// The effective length of the passage grows with extension, so the force follows Lagrange's equation with a mass M(x)
-/// (Swift et al., Proc. R. Soc. A 469, 2013).
+/// The effective length of the passage changes with the displacement x, so the force follows Lagrange's equation with a
+/// mass M(x) (Swift et al., Proc. R. Soc. A 469, 2013).
 struct FluidInerter {
     mass: f64,
     per_length: f64,
@@ -28,9 +28,9 @@ fn fluid_inerter(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(FluidInerter { mass: strength * d.between(3.0, 8.0), per_length: d.sign() * d.between(2.0, 6.0) })
 }
 
-/// A clamp with an elastic joint to the end (Ewins, Modal Testing, 2000).
+/// A clamp with an elastic joint to the moving end of the damper (Ewins, Modal Testing, 2000).
 ///
-/// At low frequency, it acts as a mass. Toward its resonance, the apparent mass increases.
+/// At low frequency, the clamp acts as a mass. Toward its resonance at 80 to 160 Hz, the apparent mass increases.
 struct SprungClamp {
     mass: f64,
     omega: f64,

@@ -1,4 +1,4 @@
-//! Oil and tube with a nonlinear compliance.
+//! Injected effect of an additional compliance of oil or hoses: nonlinear, or with creep.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;

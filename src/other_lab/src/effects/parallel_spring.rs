@@ -1,5 +1,5 @@
-//! A dissipative spring in parallel with the damper. The spring is dissipative, because a table of force over position
-//! would represent a force without dissipation completely.
+//! Injected effect of a spring in parallel with the damper. The spring is dissipative, because a fitted table of force
+//! over displacement would represent a lossless spring completely.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -8,8 +8,8 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "parallel_spring", laws: &[("lossy", lossy as Make), ("relaxing", relaxing)] };
 
-/// A stiffness with a loss force proportional to the elastic force. The loss reverses within millimeters (structural
-/// damping; Caughey, J. Appl. Mech. 27, 1960).
+/// A spring with a loss force proportional to its elastic force (structural damping; Caughey, J. Appl. Mech. 27, 1960).
+/// After a reversal of motion, the loss force reverses within millimeters.
 struct Lossy {
     stiffness: f64,
     loss: f64,

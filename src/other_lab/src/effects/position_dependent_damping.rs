@@ -1,4 +1,4 @@
-//! Valves or passages that depend on the position in the stroke.
+//! Injected effect of position-dependent damping: passages or valves whose flow depends on the position in the stroke.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -9,7 +9,7 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("tapered_groove", tapered_groove as Make), ("needle", needle)],
 };
 
-/// A groove whose depth decreases linearly from its middle, with laminar and turbulent flow.
+/// A bypass groove in the tube whose depth decreases linearly from its center, with laminar and turbulent flow.
 ///
 /// (Lee & Moon, Mech. Syst. Signal Process. 20, 2006, displacement-sensitive shock absorber.)
 struct TaperedGroove {
@@ -32,7 +32,8 @@ impl EffectModel for TaperedGroove {
 }
 
 fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
-    // At the deepest point and the damper's force at 0.5 m/s, the flow is `area` times 0.5 m/s.
+    // At the deepest point of the groove and the mean of the damper's forces at 0.5 m/s, the flow is about `area` times
+    // 0.5 m/s.
     let h = 0.5 * (scale.rebound_n + scale.compression_n);
     Box::new(TaperedGroove {
         area: strength * d.between(0.5, 1.1),
@@ -43,8 +44,8 @@ fn tapered_groove(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectM
     })
 }
 
-/// A metering needle, with which the flow of the valves is a parabola over the stroke (Konieczny, Shock and Vibration
-/// 2016).
+/// A metering needle, with which the flow of the valves varies with displacement, as a parabola (Konieczny, Shock and
+/// Vibration 2016).
 struct Needle {
     slope: f64,
     curve: f64,
@@ -53,7 +54,8 @@ struct Needle {
 impl EffectModel for Needle {
     fn gain(&self, here: &Here, _: &[f64]) -> f64 {
         let bent = self.slope * here.x + self.curve * here.x * here.x;
-        // The factor is exponential for a narrow passage and linear for a wide passage, so it stays positive.
+        // The factor on the flow is 1 plus the parabola if the parabola is positive, and its exponential otherwise, so
+        // it stays positive.
         if bent < 0.0 { libm::exp(bent) } else { 1.0 + bent }
     }
 }

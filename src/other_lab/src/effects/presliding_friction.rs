@@ -1,4 +1,4 @@
-//! Contacts that deflect before they slide.
+//! Injected effect of presliding friction: contacts that deflect before they slide.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -11,7 +11,7 @@ pub(super) const EFFECT: Effect = Effect {
 
 const SLIDERS: usize = 5;
 
-/// Elastic, perfectly plastic elements in parallel. Their strengths are a power law of their slip lengths.
+/// Elastic, perfectly plastic elements in parallel. Their slip forces are a power law of their slip lengths.
 ///
 /// (Iwan, J. Appl. Mech. 33, 1966; Segalman, J. Appl. Mech. 72, 2005.) The state of such a contact depends on all past
 /// reversals.
@@ -27,7 +27,8 @@ impl EffectModel for Iwan {
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
         for ((rate, z), length) in r.iter_mut().zip(s).zip(self.lengths) {
-            // Slip begins within the last fifth of the strength, and only in the direction of loading.
+            // Slip begins above about four fifths of the slip force of an element, and only in the direction of
+            // loading.
             let slips = if here.v * z > 0.0 { z.abs().powi(9) } else { 0.0 };
             *rate = here.v * (1.0 - slips) / length;
         }
@@ -47,15 +48,16 @@ fn iwan(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Iwan { force, lengths, shares: raw.map(|r| r / sum) })
 }
 
-/// Bouc and Wen's loop with different levels in extension and compression (Song & Der Kiureghian, J. Eng. Mech. 132,
-/// 2006).
+/// Bouc and Wen's friction loop with different force levels in extension and compression (Song & Der Kiureghian, J.
+/// Eng. Mech. 132, 2006).
 ///
 /// The rate of slip depends separately on the signs of velocity and of force.
 struct AsymmetricBoucWen {
     force: f64,
     length: f64,
     power: f64,
-    /// Coefficient of sgn(v z). `lean` is the coefficient of sgn(v).
+    /// Coefficient of sgn(v z) in the slip, with the velocity v and the relative friction force z. `lean` is the
+    /// coefficient of sgn(v).
     beta: f64,
     lean: f64,
 }

@@ -1,4 +1,4 @@
-//! A nonlinear compliance in series with the damper.
+//! Injected effect of a nonlinear compliance in series with the damper.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,9 +7,9 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "series_compliance", laws: &[("hertz_eye", hertz_eye as Make), ("one_sided", one_sided)] };
 
-/// An eye on a curved pin, with a deflection proportional to the power 2/3 of the force (Hertz 1882).
+/// An eye of the damper on a curved pin. Its deflection is proportional to the power 2/3 of the force (Hertz 1882).
 struct HertzEye {
-    /// Deflection at `force`, m.
+    /// Deflection, m, at the force `force`, N.
     deflection: f64,
     force: f64,
 }

@@ -1,4 +1,4 @@
-//! Friction from side force in guide and piston.
+//! Injected effect of friction from side force in rod guide and piston.
 
 use super::{Effect, EffectModel, Here, Make, soft_sign};
 use crate::draw::Draw;
@@ -9,7 +9,7 @@ pub(super) const EFFECT: Effect = Effect {
     laws: &[("sintered_bush", sintered_bush as Make), ("edge_contact", edge_contact)],
 };
 
-/// Friction of a PTFE bush, less than proportional to the load, with contacts that deflect before they slide.
+/// Friction of a PTFE bush, less than proportional to the side force, with contacts that deflect before they slide.
 ///
 /// (Bowden & Tabor 1950; Deubel & Prokop 2023.)
 struct SinteredBush {
@@ -35,7 +35,8 @@ fn sintered_bush(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel>
     Box::new(SinteredBush { coefficient, power: d.between(0.75, 0.9), length: d.scale(5e-5, 2e-4) })
 }
 
-/// Edge contact. Beyond some load, the bush tilts on its edge and wipes off its film (Hertz 1882; Stribeck 1902).
+/// Edge contact of a guide bush. Beyond the side force `edge`, N, the bush tilts on its edge and wipes off its oil film
+/// (Hertz 1882; Stribeck 1902).
 struct EdgeContact {
     coefficient: f64,
     edge: f64,

@@ -1,4 +1,4 @@
-//! Stops at both ends of the stroke, each of which is a separate effect.
+//! Laws of the stops at the two ends of the stroke. The stop at each end is a separate effect.
 
 use super::{EffectModel, Here};
 use crate::draw::Draw;
@@ -31,7 +31,7 @@ impl EffectModel for Foam {
         &[0.5]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is a force, N, that follows the static force with a lag.
+        // The state is a force, N, that follows the static force of the stop with a first-order lag.
         r[0] = (self.static_force(self.side * here.x - self.clearance) - s[0]) / self.time;
     }
     fn parallel(&self, here: &Here, s: &[f64]) -> f64 {
@@ -58,15 +58,15 @@ pub(super) fn foam(strength: f64, scale: &Scale, d: &mut Draw, side: f64) -> Box
 
 const HOLES: usize = 4;
 
-/// A ring that covers successive rows of holes, in parallel with a preloaded coil spring.
+/// Hydraulic stop: a ring that covers successive rows of holes, in parallel with a preloaded coil spring.
 ///
-/// The force grows with the power 1.75 of velocity and in steps over the stroke, with a jump at contact (Czop & Sławik,
-/// Mech. Syst. Signal Process. 25, 2011; Reimpell, The Automotive Chassis, 2001).
+/// The hydraulic force grows with the power 1.75 of velocity, and in steps over the stroke. The spring force jumps at
+/// contact (Czop & Sławik, Mech. Syst. Signal Process. 25, 2011; Reimpell, The Automotive Chassis, 2001).
 pub(super) struct Holes {
     side: f64,
     clearance: f64,
     pitch: f64,
-    /// Force at 1 m/s per covered row, N.
+    /// Hydraulic force at 1 m/s per covered row of holes, N.
     row: f64,
     preload: f64,
     rate: f64,

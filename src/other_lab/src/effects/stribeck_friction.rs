@@ -1,4 +1,4 @@
-//! Friction with a peak near standstill.
+//! Injected effect of friction with a peak near standstill.
 
 use super::{Effect, EffectModel, Here, Make, soft_sign};
 use crate::draw::Draw;
@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "stribeck_friction", laws: &[("makkar", makkar as Make), ("film_lag", film_lag)] };
 
-/// A difference of two hyperbolic tangents (Makkar, Dixon, Sawyer & Hu, AIM 2005).
+/// Friction as a difference of two hyperbolic tangents of the velocity (Makkar, Dixon, Sawyer & Hu, AIM 2005).
 struct Makkar {
     force: f64,
     rises: f64,

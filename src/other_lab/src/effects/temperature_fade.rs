@@ -1,4 +1,4 @@
-//! Oil whose viscosity decreases with temperature.
+//! Injected effect of temperature fade: oil whose viscosity decreases with temperature.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -12,8 +12,8 @@ pub(super) const EFFECT: Effect = Effect {
 /// Temperature at which the effect vanishes, °C.
 const REFERENCE_C: f64 = 25.0;
 
-/// Viscosity by Andrade (Nature 125, 1930), ln μ ~ B/T with T in kelvin. It acts only in the laminar passages of the
-/// valves.
+/// Viscosity μ by Andrade (Nature 125, 1930): ln μ = B/T + constant, with the coefficient B and the temperature T, both
+/// in K. It acts in the viscosity-dependent passages of the valves.
 struct Andrade {
     kelvin: f64,
 }
@@ -28,7 +28,8 @@ fn andrade(strength: f64, _: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Andrade { kelvin: strength * d.between(3500.0, 6500.0) })
 }
 
-/// A leak past the piston, with a gap that widens by the thermal expansion of aluminum (Poiseuille; Merritt 1967).
+/// A leak of oil past the piston, through a gap that widens by the thermal expansion of aluminum (Poiseuille; Merritt
+/// 1967).
 ///
 /// The flow is proportional to the cube of the gap and inversely proportional to the viscosity. The effect is the
 /// change of this leak, which is zero at the reference temperature.

@@ -1,4 +1,4 @@
-//! Valves that open and close at different forces.
+//! Injected effect of valve hysteresis: valves that open and close at different forces.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -11,8 +11,8 @@ pub(super) const EFFECT: Effect = Effect {
 
 /// A poppet with a pressure area that grows after lift, so that it opens suddenly and closes at a lower pressure.
 ///
-/// It is in parallel with the valves of one stroke (Hős et al., J. Loss Prev. Process Ind. 31, 2014, on direct spring
-/// operated relief valves).
+/// The poppet is in parallel with the valves of one direction (Hős et al., J. Loss Prev. Process Ind. 31, 2014, on
+/// direct spring operated relief valves).
 struct PoppingPoppet {
     opens: f64,
     grows: f64,
@@ -35,7 +35,7 @@ impl EffectModel for PoppingPoppet {
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
         let lift = s[0];
         let r0 = self.load(here) / self.opens;
-        // A lifted poppet has a larger pressure area, up to some lift.
+        // The pressure area of the poppet grows with its lift, and saturates at a relative lift of about 0.3.
         let area = 1.0 + self.grows * (1.0 - libm::exp(-(lift / 0.15).max(0.0)));
         let push = (r0 * area - 1.0) / self.stiffness;
         let end = 1.0 / libm::cbrt(1.0 + push.max(0.0).powi(3));
@@ -59,7 +59,8 @@ fn popping_poppet(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectM
     })
 }
 
-/// An oil film between shim and seat. It must fill before the shim lifts, and is squeezed out slowly.
+/// An oil film between valve shim and seat. Oil must fill the film before the shim lifts, and the closing shim squeezes
+/// it out slowly.
 ///
 /// The flow through the valves is reduced until the shim is free (Resch & Scheidl, Proc. IMechE I 228, 2014, fluid
 /// stiction of separating plates).
@@ -75,7 +76,7 @@ impl EffectModel for StictionFilm {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state of the shim is 0 on its seat and 1 if free.
+        // The state is 0 if the shim is on its seat, and 1 if the shim is free.
         let load = (here.hydraulic.abs() / self.force).powi(3);
         let lifts = load / (1.0 + load);
         r[0] = lifts * (1.0 - s[0]) / self.frees - (1.0 - lifts) * s[0] / self.settles;

@@ -1,4 +1,4 @@
-//! Friction of sheared films.
+//! Injected effect of viscous friction in sheared oil films.
 
 use super::{Effect, EffectModel, Here, Make};
 use crate::draw::Draw;
@@ -7,7 +7,7 @@ use crate::plant::Scale;
 pub(super) const EFFECT: Effect =
     Effect { name: "viscous_friction", laws: &[("cross_film", cross_film as Make), ("blasius_drag", blasius_drag)] };
 
-/// A shear-thinning film (Cross, J. Colloid Sci. 20, 1965).
+/// Friction of a shear-thinning oil film (Cross, J. Colloid Sci. 20, 1965).
 struct CrossFilm {
     per_speed: f64,
     speed: f64,
@@ -25,7 +25,7 @@ fn cross_film(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel
     Box::new(CrossFilm { per_speed, speed: d.scale(0.1, 0.5), power: d.between(0.6, 0.9) })
 }
 
-/// Drag in a long smooth gap, proportional to |v|^1.75 (Blasius 1913).
+/// Drag in a long smooth gap, proportional to |v|^1.75 with the velocity v (Blasius 1913).
 struct BlasiusDrag {
     factor: f64,
 }

@@ -2,10 +2,10 @@
 
 use super::Plant;
 
-/// A part of a damper's physics that a diagnosis may name.
+/// A part of a damper's physics that a diagnosis may report as an effect.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Part {
-    /// Distance over which friction reverses.
+    /// Presliding: deflection over which friction reverses.
     Presliding,
     /// Peak of the friction at low velocity.
     Stribeck,
@@ -15,20 +15,20 @@ pub enum Part {
     OilCompressibility,
     /// Air in the oil at pressures above atmospheric pressure.
     Aeration,
-    /// Void below atmospheric pressure.
+    /// Additional compliance of oil with air and vapor below atmospheric pressure.
     Cavitation,
-    /// Rise of the gas force over the stroke.
+    /// Rise of the gas force in compression.
     GasSpring,
     /// Valves with different flow on the two sides of mid-stroke.
     PositionDependence,
     /// Viscosity that decreases with the oil temperature.
     Warmth,
-    /// Mass on the damper's side of the load cell.
+    /// Moving mass on the damper's side of the load cell.
     Mass,
 }
 
 impl Part {
-    /// All parts.
+    /// All parts that can be removed.
     pub const ALL: [Part; 10] = [
         Part::Presliding,
         Part::Stribeck,
@@ -59,12 +59,12 @@ impl Part {
     }
 }
 
-/// Factor on a stiffness that removes the compliance. With a smaller factor, the compliance would remain visible. A
-/// larger factor would only cost steps.
+/// Factor that removes a compliance by multiplying its stiffness. With a smaller factor, the compliance would remain
+/// visible in the force. A larger factor would only require shorter steps.
 pub(super) const STIFFER: f64 = 100.0;
 
 impl Plant {
-    /// Returns the damper without a part.
+    /// Returns the damper without a part of its physics.
     #[must_use]
     pub fn without(mut self, part: Part) -> Plant {
         match part {

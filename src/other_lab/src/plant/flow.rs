@@ -1,22 +1,22 @@
-//! Flow laws of valves for each direction: piston velocity over hydraulic force.
+//! Flow laws of damper valves in one direction: flow, expressed as a piston velocity, over hydraulic force.
 
 use crate::draw::Draw;
 
-/// Computes the flow velocity through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0. Here, h
-/// is the hydraulic force, N, and w the flow velocity, m/s, expressed as a piston velocity.
+/// Computes the flow w through a partly laminar, partly turbulent passage: `h = a w + b w²`, for h ≥ 0. Here, h is the
+/// hydraulic force, N, and w the flow as a piston velocity, m/s. The resistances are a, N s/m, and b, N s²/m².
 ///
 /// (Merritt, Hydraulic Control Systems, 1967.)
 pub fn passage(h: f64, a: f64, b: f64) -> f64 {
     2.0 * h / (a + (a * a + 4.0 * b * h).sqrt())
 }
 
-/// Computes the positive part of x, with the corner rounded over `width`.
+/// Computes the positive part of x, with the corner at x = 0 rounded over `width`, in the unit of x.
 pub fn ramp(x: f64, width: f64) -> f64 {
     0.5 * (x + (x * x + width * width).sqrt())
 }
 
-/// Computes the velocity, m/s, through a check valve with a light spring for a hydraulic force h ≥ 0, N. The valve
-/// opens above the force `lifts`, N.
+/// Computes the flow, as a piston velocity, m/s, through a check valve with a light spring for a hydraulic force h ≥ 0,
+/// N. The valve opens gradually about the force `lifts`, N; `a` and `b` are those of [`passage`].
 pub fn check_valve(h: f64, lifts: f64, a: f64, b: f64) -> f64 {
     passage(h * h / (h + lifts), a, b)
 }
@@ -25,42 +25,44 @@ pub fn check_valve(h: f64, lifts: f64, a: f64, b: f64) -> f64 {
 #[derive(Debug, Clone)]
 pub enum Valves {
     /// Bleed with a power law `w = w_1 (h/h_1)^p`, in parallel with a blow-off valve that opens smoothly above a force.
-    /// Here, w is the velocity, m/s, and h the hydraulic force, N.
+    /// Here, w is the flow as a piston velocity, m/s, and h the hydraulic force, N.
     PowerAndBlowOff {
         /// Bleed: w_1, m/s, h_1, N, and p.
         bleed: [f64; 3],
         /// Blow-off: opening force, N, w at twice that force, m/s, exponent, width of the transition, N.
         blow_off: [f64; 4],
     },
-    /// Inverse of the law `h = F_1 tanh(w/w_1) + c w + q w²`, tabulated over w.
+    /// Inverse of the law `h = F_1 tanh(w/w_1) + c w + q w²` of the hydraulic force h, N, tabulated over the piston
+    /// velocity w, m/s.
     Sum {
         /// Forces h, N, and derivatives dw/dh over a grid of velocities w up to 4 m/s.
         table: Vec<[f64; 2]>,
     },
     /// Bleed orifice, laminar and turbulent, in parallel with a spring-loaded shim.
     ///
-    /// Above its preload, the opening of the shim grows with pressure up to a stop, and acts as an orifice (Talbott &
-    /// Starkey, SAE 2002-01-3337).
+    /// Above its preload, the shim lifts in proportion to pressure up to a stop. Its opening acts as an orifice
+    /// (Talbott & Starkey, SAE 2002-01-3337).
     OrificeAndShim {
         /// Coefficients a and b of the bleed ([`passage`]).
         bleed: [f64; 2],
-        /// Preload, N, additional force up to the stop, N, and w of the fully open shim at 1 kN, m/s.
+        /// Preload, N, additional force up to the stop, N, and flow of the fully open shim at 1 kN, as a piston
+        /// velocity, m/s.
         shim: [f64; 3],
     },
 }
 
-/// Largest velocity of the tabulated law, m/s; beyond it, the law is linear.
+/// Largest piston velocity of the table in [`Valves::Sum`], m/s; beyond it, the law is linear.
 const FASTEST: f64 = 4.0;
 const POINTS: usize = 500;
 
 impl Valves {
-    /// Draws a power law and blow-off with about the force `h` at 0.5 m/s.
+    /// Draws a bleed with a power law and a blow-off valve, with about the force `h`, N, at 0.5 m/s.
     pub fn power_and_blow_off(d: &mut Draw, h: f64) -> Valves {
         let knee = d.between(0.3, 0.6) * h;
         let knee_speed = d.between(0.06, 0.16);
         let p = d.between(0.55, 0.85);
         let exponent = d.between(1.0, 1.35);
-        // At h, the flow through the blow-off valve is 0.5 m/s minus the flow through the bleed.
+        // At the force h, the flow through the blow-off valve is 0.5 m/s minus the flow through the bleed.
         let rest = 0.5 - knee_speed * libm::pow(h / knee, p);
         let open = rest.max(0.1) / libm::pow((h - knee) / knee, exponent);
         Valves::PowerAndBlowOff {
@@ -69,7 +71,7 @@ impl Valves {
         }
     }
 
-    /// Draws the sum law with about the force `h` at 0.5 m/s.
+    /// Draws a law of [`Valves::Sum`] with about the force `h`, N, at 0.5 m/s.
     pub fn sum(d: &mut Draw, h: f64) -> Valves {
         let (step, linear) = (d.between(0.3, 0.6), d.between(0.2, 0.4));
         let speed = d.between(0.05, 0.14);
@@ -82,7 +84,7 @@ impl Valves {
         Valves::Sum { table: table.collect() }
     }
 
-    /// Draws orifice and shim with about the force `h` at 0.5 m/s.
+    /// Draws a bleed orifice and a shim with about the force `h`, N, at 0.5 m/s.
     pub fn orifice_and_shim(d: &mut Draw, h: f64) -> Valves {
         let preload = d.between(0.25, 0.5) * h;
         let knee_speed = d.between(0.05, 0.15);
@@ -96,8 +98,8 @@ impl Valves {
         Valves::OrificeAndShim { bleed: [a, b], shim: [preload, opening, full] }
     }
 
-    /// Computes the part of [`Valves::velocity`] through a bleed orifice, which is open in both directions. The result
-    /// is 0 for laws without a bleed orifice.
+    /// Computes the part of [`Valves::velocity`], m/s, that flows through a bleed orifice, which is open in both
+    /// directions. The result is 0 for laws without a bleed orifice.
     pub fn bleed(&self, h: f64, viscosity: f64) -> f64 {
         match self {
             Valves::OrificeAndShim { bleed: [a, b], .. } => passage(h, a * viscosity, *b),
@@ -105,12 +107,13 @@ impl Valves {
         }
     }
 
-    /// Computes the piston velocity, m/s, at the hydraulic force `h` ≥ 0, N. `viscosity` is the viscosity of the oil
-    /// relative to the reference.
+    /// Computes the flow as a piston velocity, m/s, at the hydraulic force `h` ≥ 0, N. `viscosity` is the ratio of the
+    /// oil's viscosity to that at 25 °C.
     pub fn velocity(&self, h: f64, viscosity: f64) -> f64 {
         match self {
             Valves::PowerAndBlowOff { bleed: [w, h1, p], blow_off: [open_at, open, m, width] } => {
-                // The power law is linearized near zero, to prevent an infinite slope.
+                // The power law is linear below about 0.03 of the force h_1, to prevent an infinite derivative at zero
+                // force.
                 let low = 0.03;
                 let r = h / h1;
                 let bled = w * (r * libm::pow(r * r + low * low, 0.5 * (p - 1.0))) / (0.4 + 0.6 * viscosity);
@@ -128,8 +131,8 @@ impl Valves {
     }
 }
 
-/// Interpolates the velocity in the table of forces and derivatives with Hermite's cubic. Beyond the table, it
-/// extrapolates linearly.
+/// Interpolates the piston velocity, m/s, at the force `h`, N, in the table of forces and derivatives with Hermite's
+/// cubic. Extrapolates linearly beyond the table.
 fn inverse(table: &[[f64; 2]], h: f64) -> f64 {
     let speed = |i: usize| FASTEST * (i as f64 / POINTS as f64).powi(3);
     let [last, slope] = table[POINTS];

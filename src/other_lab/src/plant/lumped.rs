@@ -8,7 +8,7 @@ use crate::draw::Draw;
 struct Lumped {
     rebound: Valves,
     compression: Valves,
-    /// Stiffness of the oil column, N/m, which is large compared with that of the mount.
+    /// Stiffness of the oil column, N/m, at least five times that of the mount.
     column: f64,
 }
 
@@ -47,7 +47,7 @@ impl Oil for Lumped {
     }
 }
 
-/// Draws a damper in the range of passenger cars, with one of two families of valve laws.
+/// Draws a damper in the range of passenger cars, with one of two kinds of valve laws.
 pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let make = if d.choice(2) == 0 { Valves::power_and_blow_off } else { Valves::sum };

@@ -1,5 +1,5 @@
-//! Dampers without an injected effect. All these dampers differ from the fitted model: each has friction with internal
-//! states, and the physical dampers have several further small deviations.
+//! Dampers without an injected effect. All these dampers differ from the identified model: each has friction with
+//! internal states. The dampers with oil chambers have several further small deviations.
 
 mod ablation;
 pub mod flow;
@@ -19,16 +19,16 @@ use flow::Valves;
 use monotube::Fluid;
 use serde::{Deserialize, Serialize};
 
-/// The kinds of damper.
+/// Kinds of simulated damper.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "snake_case")]
 pub enum Kind {
-    /// Series spring and damper, mass, and a smooth force-velocity law. Friction and gas act in parallel with all of
-    /// these.
+    /// Series spring and damper, mass, and a smooth force-velocity law, in one force path. Friction and gas act in
+    /// parallel with this path.
     ThesisLike,
     /// Piston between two chambers, gas behind a floating piston.
     Monotube,
-    /// Piston, compression chamber, base valve, reserve with gas.
+    /// Piston between two chambers, a base valve, and a reserve with gas.
     TwinTube,
 }
 
@@ -36,7 +36,7 @@ impl Kind {
     /// All kinds.
     pub const ALL: [Kind; 3] = [Kind::ThesisLike, Kind::Monotube, Kind::TwinTube];
 
-    /// Returns the name.
+    /// Returns the name of this kind of damper, as in files.
     pub fn name(self) -> &'static str {
         match self {
             Kind::ThesisLike => "thesis_like",
@@ -46,34 +46,35 @@ impl Kind {
     }
 }
 
-/// Influences on the oil other than the valves.
+/// Influences on the flow of the oil, in addition to the valve laws.
 #[derive(Debug, Clone, Copy)]
 pub struct OilContext {
-    /// Velocity of the flow through bypasses or into voids, m/s.
+    /// Flow through bypasses or into voids, as a piston velocity, m/s.
     pub taken: f64,
     /// Compliance in addition to that of the oil, m/N.
     pub compliance: f64,
-    /// Factor on the flow through the valves.
+    /// Factor by which the flow through the valves is multiplied.
     pub gain: f64,
-    /// Viscosity of the oil relative to the reference.
+    /// Ratio of the oil's viscosity to that at 25 °C.
     pub viscosity: f64,
 }
 
 /// The hydraulic part of a damper. Its states follow those of mount, mass and seal.
 pub trait Oil: Send + Sync {
-    /// Returns the number of states.
+    /// Returns the number of hydraulic states.
     fn states(&self) -> usize;
-    /// Computes the equilibrium states at a displacement.
+    /// Computes the hydraulic states in equilibrium at the displacement `x`, m.
     fn rest(&self, x: f64, states: &mut [f64]);
-    /// Writes the error tolerances of the states.
+    /// Stores the error tolerances of the hydraulic states in `tolerances`.
     fn tolerances(&self, tolerances: &mut [f64]);
     /// Computes the hydraulic force from the pressure differences, without the gas, N.
     fn hydraulic(&self, states: &[f64]) -> f64;
     /// Computes the total force of the oil on the rod, N.
     fn force(&self, states: &[f64]) -> f64;
-    /// Computes the rates at displacement x and velocity v of the rod.
+    /// Computes the time derivatives of the hydraulic states at the displacement `x`, m, and velocity `v`, m/s, of the
+    /// rod.
     fn rates(&self, x: f64, v: f64, beside: &OilContext, states: &[f64], rates: &mut [f64]);
-    /// Removes a part of the physics of oil or gas. Other parts leave the oil unchanged.
+    /// Removes a part of the damper's physics if it belongs to oil or gas. For other parts, nothing changes.
     fn remove(&mut self, part: Part);
 }
 
@@ -86,7 +87,7 @@ pub struct Scale {
     pub compression_n: f64,
     /// Stiffness of the mount in series with the damper, N/m.
     pub series_n_m: f64,
-    /// Friction, N.
+    /// Sliding friction, N.
     pub friction_n: f64,
     /// Gas force at mid-stroke, N.
     pub gas_n: f64,
@@ -97,11 +98,11 @@ pub struct Scale {
 pub struct Slight {
     /// Rig mass on the damper's side of the load cell, kg.
     pub laden_kg: f64,
-    /// Relative change of the valve flow over the stroke, 1/m.
+    /// Relative change of the valve flow per displacement, 1/m.
     pub position: f64,
     /// Fraction of the viscosity's temperature exponent that acts in the valves.
     pub warmth: f64,
-    /// Stiffness of a gas column parallel to the damper, N/m, and its length, m.
+    /// Stiffness at mid-stroke, N/m, and length, m, of a gas column that acts in parallel with the damper.
     pub gas: [f64; 2],
 }
 
@@ -112,7 +113,7 @@ pub struct Built {
     pub bore_m: f64,
     /// Diameter of the rod, m.
     pub rod_m: f64,
-    /// Length of the rebound chamber and length of the oil below the piston, at mid-stroke, m.
+    /// Length of the rebound chamber, and length of the oil column below the piston, at mid-stroke, m.
     pub lengths_m: [f64; 2],
     /// Absolute pressure of the gas at mid-stroke, bar.
     pub gas_bar: f64,
@@ -124,12 +125,12 @@ pub struct Built {
     pub air: f64,
     /// Valves of rebound and compression.
     pub valves: [Valves; 2],
-    /// Areas on which the valve pressures act, m².
+    /// Areas on which the pressure differences of rebound and compression valves act, m².
     pub areas_m2: [f64; 2],
 }
 
 impl Built {
-    /// Computes the effective modulus of the oil with its air at the gas pressure, bar.
+    /// Computes the effective bulk modulus of the oil with its air at the gas pressure, bar.
     pub fn modulus_bar(&self) -> f64 {
         1.0 / Fluid { oil: 1.0 / self.oil_bar, air: self.air, air_is_felt: true, void_is_felt: true }
             .compliance(self.gas_bar)
@@ -138,24 +139,24 @@ impl Built {
 
 /// A damper: its mount, mass, friction and oil, with small deviations from an ideal damper.
 pub struct Plant {
-    /// Kind.
+    /// Kind of damper.
     pub kind: Kind,
     /// Mount in series with the damper.
     pub mount: Mount,
     /// Mass between mount and oil, kg.
     pub mass: f64,
-    /// Friction.
+    /// Friction of rod seal and guides.
     pub seal: Seal,
     /// Whether friction and gas act in parallel with mount and oil together, as in the thesis (Jonnalagadda & Vyas
-    /// 2020). Otherwise, they act between mount and tube.
+    /// 2020). Otherwise, they act in parallel with the oil alone, in series with the mount.
     pub seal_is_outside: bool,
-    /// The oil.
+    /// Hydraulic part of the damper: oil, valves and gas.
     pub oil: Box<dyn Oil>,
     /// Dimensions; `None` for a damper without chambers.
     pub built: Option<Built>,
-    /// Small deviations.
+    /// Small deviations from an ideal damper and rig.
     pub slight: Slight,
-    /// Characteristic values.
+    /// Characteristic forces and stiffness, for scaling the effects.
     pub scale: Scale,
 }
 
@@ -171,7 +172,8 @@ impl Plant {
     }
 }
 
-/// Draws rebound and compression force at 0.5 m/s: rebound is typically 1.3 to 3.5 times the compression force.
+/// Draws the rebound and the compression force at 0.5 m/s, N. The rebound force is 1.3 to 3.5 times the compression
+/// force.
 fn forces(d: &mut Draw) -> (f64, f64) {
     let rebound = d.scale(450.0, 1900.0);
     (rebound, rebound / d.between(1.3, 3.5))
@@ -181,8 +183,8 @@ fn forces(d: &mut Draw) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// Checks that the removal of air leaves the void unchanged, and the reverse. Air acts above one atmosphere and a
-    /// void below.
+    /// Checks that the removal of air does not change the compliance of the void, and the reverse. Air acts above 1
+    /// bar, and a void below.
     #[test]
     fn oil_without_air_keeps_its_void() {
         let whole = monotube::Fluid { oil: 1e-4, air: 1e-3, air_is_felt: true, void_is_felt: true };
@@ -194,7 +196,8 @@ mod tests {
         let (aeration, cavitation) = (without(Part::Aeration), without(Part::Cavitation));
         assert!(aeration.compliance(5.0) < whole.compliance(5.0) && aeration.compliance(0.2) > 10.0 * whole.oil);
         assert!((cavitation.compliance(5.0) - whole.compliance(5.0)).abs() < 1e-15);
-        // The smoothing of the pressure by vapor increases a pressure of 1 bar by half a percent.
+        // The smoothing of the pressure at vapor pressure changes a pressure of 1 bar by half a percent, so the
+        // compliances differ slightly.
         assert!((cavitation.compliance(0.2) / cavitation.compliance(1.0) - 1.0).abs() < 0.02);
         assert!(without(Part::OilCompressibility).compliance(5.0) < 0.05 * whole.compliance(5.0));
     }

@@ -1,16 +1,16 @@
-//! A monotube: piston between two chambers of oil with dissolved air, gas behind a floating piston.
+//! A monotube damper: a piston between two chambers of oil with air, and gas behind a floating piston.
 
 use super::ablation::STIFFER;
 use super::{Built, Kind, Mount, Oil, OilContext, Part, Plant, Scale, Seal, Slight, flow::Valves, forces};
 use crate::draw::Draw;
 
-/// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967), pressures in bar absolute.
+/// Oil with some free and dissolved air: `1/β = 1/β_o + α p_0/(n p²)` (Merritt 1967) at the absolute pressure p, bar.
 ///
-/// β is the bulk modulus, β_o that of the oil alone, and α the ratio of air to oil volume at p_0 = 1 bar. The
-/// polytropic exponent n is 1.3.
+/// β is the bulk modulus, bar, β_o that of the oil alone, and α the ratio of air to oil volume at p_0 = 1 bar. The
+/// polytropic exponent n of the air is 1.3.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Fluid {
-    /// 1/β_o, 1/bar.
+    /// Compressibility 1/β_o of the oil alone, 1/bar.
     pub oil: f64,
     /// Ratio of the air volume at 1 bar to the oil volume.
     pub air: f64,
@@ -24,7 +24,7 @@ pub(crate) struct Fluid {
 const VAPOUR: f64 = 0.15;
 
 impl Fluid {
-    /// Computes the compliance relative to the volume, 1/bar.
+    /// Computes the compressibility 1/β of oil and air, 1/bar, at the absolute pressure `p`, bar.
     pub fn compliance(&self, p: f64) -> f64 {
         let p = 0.5 * (p + (p * p + VAPOUR * VAPOUR).sqrt());
         let at = |p: f64| self.air / (1.3 * p * p);
@@ -32,7 +32,8 @@ impl Fluid {
         self.oil + f64::from(self.air_is_felt) * air + f64::from(self.void_is_felt) * (at(p) - air)
     }
 
-    /// Removes the part's compliance: that of the oil with its air, that of the air, or that of the void.
+    /// Removes the compressibility of a part of the physics. The part is oil with its air, the air above 1 bar, or the
+    /// voids below 1 bar.
     pub fn remove(&mut self, part: Part) {
         match part {
             Part::OilCompressibility => {
@@ -57,7 +58,7 @@ impl Fluid {
 
 /// Factor from bar to Pa.
 pub(crate) const BAR: f64 = 1e5;
-/// Polytropic exponent of the gas in motion.
+/// Polytropic exponent of the gas behind the floating piston in motion.
 pub(crate) const GAS: f64 = 1.3;
 
 struct Monotube {
@@ -66,9 +67,9 @@ struct Monotube {
     fluid: Fluid,
     piston: f64,
     rod: f64,
-    /// Length of the rebound chamber and of the oil below the piston at mid-stroke, m.
+    /// Lengths of the rebound chamber and of the oil column below the piston at mid-stroke, m.
     lengths: [f64; 2],
-    /// Pressure (bar) and volume (m³) of the gas at mid-stroke.
+    /// Absolute pressure (bar) and volume (m³) of the gas at mid-stroke.
     gas: [f64; 2],
 }
 
@@ -116,13 +117,13 @@ impl Oil for Monotube {
     fn remove(&mut self, part: Part) {
         self.fluid.remove(part);
         if part == Part::GasSpring {
-            // The gas pressure is nearly constant if the gas volume is large.
+            // With 100 times the gas volume, the gas pressure is nearly constant.
             self.gas[1] *= STIFFER;
         }
     }
 }
 
-/// Draws a damper: piston of 36 to 46 mm, rod of 11 to 14 mm, gas at 18 to 30 bar or more.
+/// Draws a monotube damper: piston diameter 36 to 46 mm, rod diameter 11 to 14 mm, gas at 18 to 30 bar or more.
 pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let area = |diameter: f64| std::f64::consts::FRAC_PI_4 * diameter * diameter;

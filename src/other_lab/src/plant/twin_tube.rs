@@ -1,5 +1,5 @@
-//! A twin tube: rebound and compression chamber, a base valve with check valve, and a reserve with gas at low pressure
-//! (Segel & Lang, Veh. Syst. Dyn. 10, 1981; Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998).
+//! A twin-tube damper: rebound and compression chamber, a base valve with check valve, and a reserve with gas at low
+//! pressure (Segel & Lang, Veh. Syst. Dyn. 10, 1981; Duym & Reybrouck, Eur. J. Mech. Eng. 43, 1998).
 
 use super::ablation::STIFFER;
 use super::monotube::{BAR, Fluid, GAS};
@@ -8,19 +8,20 @@ use crate::draw::Draw;
 use crate::plant::flow::{Valves, check_valve};
 
 struct TwinTube {
-    /// Piston valve in rebound: velocity over the force on the annulus.
+    /// Piston valve in rebound: flow as a piston velocity over the force of its pressure drop on the annulus.
     rebound: Valves,
-    /// Base valve in compression: velocity over the force on the rod's area.
+    /// Base valve in compression: flow as a rod velocity over the force of its pressure drop on the rod's area.
     base: Valves,
-    /// Opening force, a and b (N, N s/m, N s²/m²) of the piston's check valve, which acts on the annulus.
-    /// `intake` contains the values of the intake valve, which acts on the area of the rod.
+    /// Opening force and resistances a and b (N, N s/m, N s²/m²; see [`check_valve`]) of the piston's check valve,
+    /// which acts on the annulus. `intake` contains these values for the intake valve in the base, which acts on the
+    /// area of the rod.
     check: [f64; 3],
     intake: [f64; 3],
     fluid: Fluid,
     annulus: f64,
     rod: f64,
     lengths: [f64; 2],
-    /// Pressure (bar) and volume (m³) of the gas at mid-stroke.
+    /// Absolute pressure (bar) and volume (m³) of the gas at mid-stroke.
     gas: [f64; 2],
 }
 
@@ -91,15 +92,15 @@ impl Oil for TwinTube {
     }
 }
 
-/// Draws a damper with a piston of 27 to 32 mm, a rod of 12.4 to 20 mm, and gas at 3 to 8 bar.
+/// Draws a twin-tube damper: piston diameter 27 to 32 mm, rod diameter 12.4 to 20 mm, gas at 3 to 8 bar.
 pub(super) fn plant(d: &mut Draw) -> Plant {
     let (rebound_n, compression_n) = forces(d);
     let area = |diameter: f64| std::f64::consts::FRAC_PI_4 * diameter * diameter;
     let (piston, rod) = (area(d.between(0.027, 0.032)), area(d.between(0.0124, 0.020)));
     let annulus = piston - rod;
     let gas = [d.between(3.0, 8.0), d.between(8e-5, 1.6e-4)];
-    // At 1 m/s, the check valve requires 5 to 12 % of the compression force. The intake valve requires less than the
-    // gas pressure.
+    // At 1 m/s, the pressure drop of the check valve causes 5 to 12 % of the compression force at 0.5 m/s. The drop of
+    // the intake valve is below the gas pressure.
     let check = d.between(0.05, 0.12) * compression_n;
     let intake = d.between(0.1, 0.3) * gas[0] * BAR * rod;
     let oil = TwinTube {

@@ -1,4 +1,4 @@
-//! Protocol of a campaign: execution and measurement.
+//! Protocol of a campaign: plan of the tests, their execution, and the measured channels.
 
 pub mod motion;
 pub mod plan;
@@ -13,37 +13,38 @@ use serde::Serialize;
 pub struct Protocol {
     /// Plan of the tests.
     pub plan: Plan,
-    /// Sample rate, Hz. Slow tests have a reduced rate, see `most_samples`.
+    /// Sample rate, Hz. Slow tests have a reduced rate because of `most_samples`.
     pub sample_rate_hz: f64,
-    /// Number of samples above which a sine or triangle is decimated by an integer factor.
+    /// Largest number of samples of a sine or triangle. A longer record is decimated by an integer factor.
     pub most_samples: usize,
     /// Number of cycles at full amplitude of a sine or triangle.
     pub cycles: u32,
-    /// Duration of a road, s.
+    /// Duration of a road-like random motion, s.
     pub road_s: f64,
     /// Standstill before the motion, s.
     pub rest_s: f64,
-    /// Force noise in percent of each test's rms, plus 0.5 N. 0 disables the noise of all channels.
+    /// Standard deviation of the force noise in percent of each test's rms force; 0.5 N is added. 0 disables the noise
+    /// of all channels.
     pub noise_percent: f64,
     /// Correlation between successive samples of the force noise (AR(1)); 0 means white noise.
     pub noise_colour: f64,
     /// Amplitude of 50 Hz hum on the force, N.
     pub hum_n: f64,
-    /// Number of bits of the force and displacement converters. `None` means no rounding.
+    /// Number of bits of the analog-to-digital converters of force and displacement. `None` means no rounding.
     pub bits: Option<u32>,
     /// Delay of the force channel, s.
     pub force_delay_s: f64,
-    /// Zero error of the force, N.
+    /// Zero error of the force channel, N.
     pub force_offset_n: f64,
-    /// Zero error of the displacement, m.
+    /// Zero error of the displacement channel, m.
     pub displacement_offset_m: f64,
     /// Whether velocity is measured.
     pub velocity_channel: bool,
     /// Whether the temperature of the oil is measured.
     pub temperature_channel: bool,
-    /// Whether the tests are shuffled, with repeats at start, middle and end.
+    /// Whether the tests are shuffled, with the repeated reference tests at start, middle and end.
     pub shuffled: bool,
-    /// Ratio of unrecorded conditioning cycles to recorded cycles of each test. Conditioning heats the oil.
+    /// Ratio of unrecorded conditioning cycles to recorded cycles of each sine test. Conditioning heats the oil.
     pub conditioning: f64,
 }
 
@@ -72,10 +73,11 @@ impl Default for Protocol {
 }
 
 impl Protocol {
-    /// Draws a random laboratory protocol.
+    /// Draws a random protocol of measurement, as of some laboratory.
     ///
-    /// The protocol has a rate of 100 Hz to 5 kHz and 3 to 30 cycles. It has 12 to 16 bits or no rounding, and white or
-    /// colored noise. Some draws have hum, a velocity channel or a temperature channel. Delays and offsets are zero.
+    /// The protocol has a sample rate of 100 Hz to 5 kHz and 3 to 30 cycles. It has converters of 12 to 16 bits or no
+    /// rounding, and white or colored noise. Some draws have hum, a velocity channel or a temperature channel. Delays
+    /// and offsets are zero.
     pub fn of_laboratory(plan: Plan, seed: u64) -> Protocol {
         let mut d = Draw::new(seed, "laboratory");
         let sample_rate_hz = [100.0, 200.0, 256.0, 500.0, 1000.0, 1024.0, 2000.0, 2048.0, 5000.0][d.choice(9)];

@@ -1,4 +1,4 @@
-//! Motions of the moving end.
+//! Motions of the moving end of the damper in a test.
 
 use crate::draw::Draw;
 use crate::jet::Jet;
@@ -16,7 +16,7 @@ pub enum Motion {
         /// Frequency, Hz.
         frequency: f64,
     },
-    /// A triangle with rounded tips and constant speed in between.
+    /// A triangular wave with rounded tips and nearly constant speed between the tips.
     Triangle {
         /// Amplitude, m.
         amplitude: f64,
@@ -32,7 +32,8 @@ pub enum Motion {
         /// Duration, s.
         seconds: f64,
     },
-    /// A road: waves of random phase up to 25 Hz, with amplitudes that decrease with frequency like those of a road.
+    /// A road-like random motion: sine waves of random phase from 0.5 to 25 Hz, with amplitudes that decrease with
+    /// frequency as on a road.
     Road {
         /// Largest displacement, m.
         displacement: f64,
@@ -40,15 +41,16 @@ pub enum Motion {
         velocity: f64,
         /// Duration, s.
         seconds: f64,
-        /// Seed of the road.
+        /// Seed of the random frequencies and phases.
         seed: u64,
     },
 }
 
-/// Amplitude of the sine inside the arc sine of a triangle; with a value below 1, the tips are rounded.
+/// Factor s of the triangular wave asin(s sin(ωt)) with the angular frequency ω and the time t. With a value below 1,
+/// the tips are rounded.
 const SHARP: f64 = 0.995;
 const WAVES: usize = 28;
-/// Duration of fade-in and fade-out of a road or sweep, s.
+/// Duration of the fade-in and of the fade-out of a road-like motion or sweep, s.
 const FADE: f64 = 0.5;
 
 /// A motion prepared for evaluation.
@@ -58,12 +60,12 @@ pub struct Ready {
     mean: f64,
     rest: f64,
     cycles: f64,
-    /// Amplitude, m, angular frequency, rad/s, and phase, rad, of a road's waves.
+    /// Amplitude, m, angular frequency, rad/s, and phase, rad, of each sine wave of a road-like motion.
     waves: Vec<[f64; 3]>,
 }
 
 impl Motion {
-    /// Returns the longest step of the simulation, s.
+    /// Returns the longest step of the simulation of this motion, s.
     pub fn longest_step(&self) -> f64 {
         match self {
             Motion::Sine { frequency, .. } => 1.0 / (110.0 * frequency),
@@ -72,7 +74,8 @@ impl Motion {
         }
     }
 
-    /// Returns the duration of the full motion, s.
+    /// Returns the duration of the motion at full amplitude with `cycles` cycles, s. For a sweep or road-like motion,
+    /// this is its whole duration.
     pub fn seconds(&self, cycles: f64) -> f64 {
         match self {
             Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => cycles / frequency,
@@ -88,7 +91,8 @@ impl Motion {
         }
     }
 
-    /// Prepares the motion about a mean displacement, m. The motion begins after a standstill of `rest`, s.
+    /// Prepares the motion about a mean displacement, m, for evaluation. The motion begins after a standstill of
+    /// `rest`, s, and has `cycles` cycles.
     pub fn ready(&self, mean: f64, rest: f64, cycles: f64) -> Ready {
         let mut ready = Ready { motion: *self, mean, rest, cycles, waves: Vec::new() };
         if let Motion::Road { displacement, velocity, seconds, seed } = *self {
@@ -96,8 +100,8 @@ impl Motion {
             let ratio = libm::log(25.0 / 0.5) / WAVES as f64;
             let drawn: Vec<[f64; 2]> =
                 (0..WAVES).map(|i| [0.5 * libm::exp((i as f64 + d.fraction()) * ratio), TAU * d.fraction()]).collect();
-            // A steeper spectrum has a larger displacement at equal velocity. Bisection finds the spectrum that reaches
-            // both limits.
+            // A spectrum that falls faster with frequency has a larger displacement at equal velocity. Bisection finds
+            // the exponent with which the motion reaches both limits.
             let (mut flat, mut steep) = (-0.3, 1.5);
             for _ in 0..24 {
                 let power = 0.5 * (flat + steep);
@@ -127,7 +131,7 @@ impl Motion {
 }
 
 impl Ready {
-    /// Computes displacement, velocity and acceleration at time `t` of the record.
+    /// Computes displacement, m, velocity, m/s, and acceleration, m/s², at time `t` since the start of the record, s.
     pub fn evaluate(&self, t: f64) -> Jet {
         let since = Jet::time(t - self.rest);
         if since.x <= 0.0 {
@@ -164,7 +168,7 @@ impl Ready {
         start * (Jet::constant(seconds) - since).times(1.0 / FADE).smooth_step()
     }
 
-    /// Returns the length of the record, s.
+    /// Returns the duration of the record, s.
     pub fn seconds(&self) -> f64 {
         self.rest + self.motion.run_up() + self.motion.seconds(self.cycles)
     }

@@ -11,9 +11,9 @@ pub struct Test {
     pub name: String,
     /// Motion of the moving end.
     pub motion: Motion,
-    /// Mean displacement, m.
+    /// Mean displacement from mid-stroke, m.
     pub mean: f64,
-    /// Side force, N.
+    /// Side force on the rod, N.
     pub side: f64,
     /// Whether the test is excluded from identification.
     pub left_out: bool,
@@ -29,13 +29,13 @@ pub enum Plan {
     /// left-out tests.
     Sines,
     /// The matrix of the thesis (Jonnalagadda & Vyas 2020): eight amplitudes at common peak velocities, and slow tests.
-    /// It has no other mean positions and no side force.
+    /// The mean displacement of all tests is 0, and there is no side force.
     Thesis,
-    /// Twelve sines with three amplitudes, and three left-out tests.
+    /// Twelve sines with three amplitudes, and three left-out sines.
     Reduced,
     /// Triangles and sweeps with some sines.
     Ramps,
-    /// Roads of 10 to 30 s with few sines.
+    /// Road-like random motions with few sines.
     Roads,
 }
 
@@ -97,7 +97,7 @@ const SINES_LEFT_OUT: [Row; 7] = [
 /// mm.
 const THESIS_SPEEDS: [f64; 7] = [0.052, 0.131, 0.262, 0.393, 0.524, 1.047, 1.571];
 const THESIS_STROKES: [f64; 8] = [50.0, 40.0, 30.0, 25.0, 15.0, 5.0, 2.0, 1.0];
-/// Highest frequency of the thesis's rig, Hz. Faster tests are omitted.
+/// Highest frequency of the thesis's rig, Hz. Tests of higher frequency are omitted.
 const THESIS_FASTEST: f64 = 25.03;
 
 fn sine(prefix: &str, (amplitude, frequency, mean, side): Row) -> Test {
@@ -133,7 +133,7 @@ fn references(amplitude: f64, frequency: f64) -> impl Iterator<Item = Test> {
 }
 
 impl Plan {
-    /// Returns the tests in the order of the plan. `roads` is the duration of a road, s.
+    /// Returns the tests in the order of the plan. `roads` is the duration of a road-like random motion, s.
     pub fn tests(self, roads: f64) -> Vec<Test> {
         match self {
             Plan::Sines => references(20.0, 1.3)
@@ -150,7 +150,7 @@ impl Plan {
                 .flat_map(|stroke| THESIS_SPEEDS.map(|speed| (stroke, speed / (TAU * stroke * 1e-3))))
                 .filter(|(_, f)| *f <= THESIS_FASTEST)
                 .map(|(stroke, f)| {
-                    // Round to digits that are typical of a plan.
+                    // The frequency is rounded to three significant digits, as in a test plan.
                     let digits = libm::pow(10f64, 3.0 - libm::log10(f).ceil());
                     let prefix = if stroke == 30.0 || stroke == 2.0 { LEFT_OUT_PREFIX } else { "" };
                     sine(prefix, row(stroke, (f * digits).round() / digits))

@@ -9,12 +9,14 @@ use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
 use dashpot_messages::Sentence;
 
-/// Builds the first section of the report: the verdict, the error of every test, and a table of the key figures.
+/// Builds the first section of a diagnosis report: the verdict, the error of every test, and a table of the key
+/// figures.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(found, words))];
     blocks.extend(gap(found, words).map(Block::Paragraph));
     blocks.extend(worse(found, words).map(Block::Warning));
-    // The remark on the reference restricts what the findings mean, so the brief print includes it.
+    // The remark on the reference model restricts the meaning of the findings. This first section contains it, so that
+    // the brief print includes it.
     blocks.extend(found.about_the_reference.as_ref().map(|about| Block::Paragraph(sentence(about, words))));
     let errors = Figure::new("error-of-tests", before_after::errors(&found.tests, words));
     blocks.push(Block::Wide(errors.saying(words.errors_caption)));
@@ -33,8 +35,8 @@ pub(super) fn sentence(text: &Sentence, words: &Words) -> String {
     words.fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }
 
-/// Explains the verdict. For a named effect, states the errors before and after, and the closed fraction of the gap
-/// between error and noise.
+/// Explains the verdict. For a named effect, states the rms errors before and after its addition, N. Also states the
+/// closed fraction of the gap between error and noise.
 fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     let left_out = found.tests.iter().filter(|t| t.left_out).count();
     let (text, before, after) = match (left_out, found.before.left_out_rmse_n, found.after.left_out_rmse_n) {
@@ -55,7 +57,8 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     })
 }
 
-/// Reports left-out tests whose error increased by more than 10 % of their noise.
+/// Reports left-out tests whose rms error increased by more than 10 % of their noise. Returns `None` without such tests
+/// or without added effects.
 fn worse(found: &Diagnosis, words: &Words) -> Option<String> {
     if found.findings.is_empty() {
         return None;
@@ -94,8 +97,8 @@ fn key_table(found: &Diagnosis, words: &Words) -> Table {
     Table { caption: words.mean_cycles_caption.to_owned(), columns, rows, sortable: false }
 }
 
-/// Draws the loops of the left-out test with the largest disagreement, and below them the error of every test, before
-/// and after. Without left-out tests, shows a fitted test.
+/// Draws the loops of the left-out test on which model and measurement differ most. Below them, draws the error of
+/// every test before and after the diagnosis. Without left-out tests, shows a fitted test.
 pub fn picture(found: &Diagnosis, words: &Words) -> Option<String> {
     let shown = super::loops::largest(&found.tests, true).or_else(|| super::loops::largest(&found.tests, false))?;
     let [wide, tall] = crate::plot::axes::SIZE;

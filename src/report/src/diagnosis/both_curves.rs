@@ -8,12 +8,13 @@ use dashpot_core::{Model, Params};
 use dashpot_diagnosis::Diagnosis;
 use dashpot_simulation::prediction::between_velocities;
 
-/// Size, px, for the full width of a printed page.
+/// Width and height of the figure, px. The width fills a printed page.
 const SIZE: [f64; 2] = [880.0, 340.0];
 
-/// Draws both FV curves, including friction and gas force, over the velocity range of the tests.
+/// Draws the FV curves of the reference and of the improved model, including friction and gas force, over the velocity
+/// range of the tests.
 ///
-/// Returns `None` without a reference, or if a model is invalid.
+/// Returns `None` without a reference, or if the parameters of one of the two models are invalid.
 pub fn figure(found: &Diagnosis, words: &Words) -> Option<Figure> {
     let reference = found.reference.as_ref()?;
     let velocities = || found.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());

@@ -56,8 +56,8 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     Some(Section::new("findings", title, blocks))
 }
 
-/// Returns the unit of a measurement error, which is the unit of its first identified parameter. Without such a
-/// parameter, the unit is N.
+/// Returns the unit of the measurement error `effect`: the unit of the first parameter of its finding. Without a
+/// finding or parameter, the unit is N.
 fn unit_of(found: &Diagnosis, effect: &str) -> &'static str {
     let finding = found.findings.iter().find(|finding| finding.effect == effect);
     finding.and_then(|finding| finding.parameters.values().next()).map_or("N", |value| value.unit)

@@ -25,9 +25,9 @@ pub fn section(found: &Diagnosis, words: &Words) -> Section {
     Section::new("limits", words.limits_section, blocks)
 }
 
-/// Lists the remarks of reading and diagnosis. Returns `None` without remarks.
+/// Lists the remarks of the diagnosis and those from reading the records (`reading`). Returns `None` without remarks.
 pub fn remarks(found: &Diagnosis, reading: &[String], words: &Words) -> Option<Section> {
-    // Another section contains the remark on the reference, next to the verdict.
+    // The remark on the reference model is next to the verdict, in the first section of the report.
     let notes = found.notes.iter().filter(|note| Some(*note) != found.about_the_reference.as_ref());
     let remarks: Vec<String> = notes.map(|note| words.say(note)).chain(reading.iter().cloned()).collect();
     (!remarks.is_empty()).then(|| Section::new("remarks", words.remarks, vec![Block::List(remarks)]))

@@ -1,4 +1,4 @@
-//! Loops of the fitted and left-out tests with the largest disagreement.
+//! Force loops of the fitted and left-out tests on which model and measurement differ most.
 
 use crate::blocks::{Block, Figure, Section};
 use crate::numbers::{digits, fraction};
@@ -9,8 +9,8 @@ use dashpot_diagnosis::{Diagnosis, TestOutcome};
 /// Largest number of fitted tests, and of left-out tests, whose loops are shown.
 const SHOWN: usize = 3;
 
-/// Builds one section with the loops of the worst left-out test, and one with those of other tests. The brief print includes only the first
-/// section. If no test was left out, the first section shows the worst fitted test.
+/// Builds one section with the loops of the left-out test of the largest gap between error and noise, and one with those of other tests.
+/// The brief print includes only the first section. If no test was left out, the first section shows a fitted test.
 pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let names = before_after::names(&found.tests, words);
     let of = |held_out: bool| worst(&found.tests, held_out).into_iter().take(SHOWN);
@@ -38,7 +38,8 @@ pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     sections
 }
 
-/// Finds the left-out or fitted test with the largest disagreement relative to its force.
+/// Finds the left-out (`held_out`) or fitted test with the largest gap between error and noise relative to its largest force. Prefers tests
+/// with cycles.
 pub fn largest(tests: &[TestOutcome], held_out: bool) -> Option<&TestOutcome> {
     worst(tests, held_out).first().map(|place| &tests[*place])
 }

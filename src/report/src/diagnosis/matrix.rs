@@ -8,7 +8,8 @@ use dashpot_diagnosis::{Diagnosis, TestOutcome};
 use dashpot_identification::validation::{Compared, Validation, validate};
 use dashpot_records::Record;
 
-/// Builds the error matrix. Returns `None` if no test is comparable.
+/// Builds the section of the errors by amplitude and peak velocity. Returns `None` if no test can be compared with the
+/// model.
 pub fn section(found: &Diagnosis, records: &[&Record], words: &Words) -> Option<Section> {
     let cycles = mean_cycles(&found.tests, records);
     let compared: Vec<Compared<'_>> = cycles

@@ -1,15 +1,15 @@
-//! The report of a diagnosis: verdict, disagreement of model and records, missing effects, and residual.
+//! The report of a diagnosis: verdict, missing effects, and residual forces of the model.
 //!
 //! | file | section |
 //! |---|---|
-//! | [`answer`] | the verdict, and the error of every test before and after |
+//! | [`answer`] | the verdict, and the error of every test before and after the diagnosis |
 //! | [`crate::inventory`] | every effect of the model with its force |
 //! | [`both_curves`] | FV curves of the damper and the reference |
 //! | [`findings`] | the added effects with parameters, intervals and alternatives |
-//! | [`loops`] | loops of the tests with the largest disagreement |
-//! | [`limits`] | limits of these records, tests that would resolve the open questions, and remarks |
-//! | [`places`] | regions of the disagreement, as text, figures and maps |
-//! | [`matrix`] | errors by amplitude and peak velocity, before and after |
+//! | [`loops`] | force loops of the tests on which model and measurement differ most |
+//! | [`limits`] | effects that the records cannot show, tests that would resolve open questions, and remarks |
+//! | [`places`] | regions of velocity and displacement with large residuals, as text, figures and maps |
+//! | [`matrix`] | errors by amplitude and peak velocity, before and after the diagnosis |
 //! | [`tried`] | all tested hypotheses, by iteration |
 //! | [`over_settings`] | one damper diagnosed at several settings |
 //!
@@ -51,10 +51,9 @@ pub struct DiagnosisReport<'a> {
     pub found: &'a Diagnosis,
     /// The records, from which the error matrix uses the motion of each test.
     pub records: &'a [&'a Record],
-    /// Remarks on reading: the detected sign, and notes of the cleaning.
+    /// Remarks from reading the records: the detected sign convention, and notes of the cleaning.
     pub reading: Vec<String>,
-    /// Errors of the given, the refitted and the improved model over whole records. `dashpot validate` reports the same
-    /// errors.
+    /// Errors of the given, the refitted and the improved model over whole records, as `dashpot validate` reports them.
     pub over_whole_records: OfDiagnosis,
     /// Parameters of the improved model.
     pub parameters: Vec<ParameterRow>,

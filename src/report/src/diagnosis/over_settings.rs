@@ -19,9 +19,9 @@ pub struct SettingsReport<'a> {
     pub model_file: String,
     /// Files or folders of the records, as named in the subtitle.
     pub data: String,
-    /// Unit of the setting.
+    /// Unit of the setting, such as A.
     pub unit: String,
-    /// Joint result of the settings.
+    /// Effects and changed parameters at each setting, combined over all settings.
     pub over: &'a OverSettings,
     /// Value and report of each setting.
     pub settings: Vec<(f64, DiagnosisReport<'a>)>,
@@ -78,7 +78,7 @@ impl SettingsReport<'_> {
         sections
     }
 
-    /// Joins one text per setting to the text of one cell.
+    /// Joins pairs of a setting and a text, one pair per setting, to the text of one table cell.
     fn each(&self, all: impl Iterator<Item = (f64, String)>) -> String {
         let all: Vec<String> = all.map(|(setting, text)| format!("{}: {text}", self.named(setting))).collect();
         all.join(self.words.comma)
@@ -122,7 +122,7 @@ impl SettingsReport<'_> {
         }
     }
 
-    /// Builds a table with one row per change from the reference.
+    /// Builds a table with one row for each parameter that differs from the reference model.
     fn changes(&self) -> Table {
         let words = self.words;
         let each = |of: &ChangeOverSettings, write: &dyn Fn(&ChangeAtSetting) -> String| {
@@ -179,7 +179,7 @@ impl SettingsReport<'_> {
     }
 }
 
-/// Merges the sections of a report into one section and prefixes the names of its figures.
+/// Merges the sections of the report of one setting into one section, and prefixes the file names of its figures with `id`.
 fn merged(id: &str, title: String, sections: Vec<Section>) -> Section {
     let renamed = |figure: Figure| Figure { file: format!("{id}-{}", figure.file), ..figure };
     let own = |block: Block| match block {

@@ -7,7 +7,7 @@ use crate::plot::{residual, residual_map};
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, Region};
 
-/// Builds the section of regions, maps and curves.
+/// Builds the section of the residuals: table of regions, maps over velocity and displacement, and mean curves.
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = Vec::new();
     if found.regions.is_empty() {

@@ -5,7 +5,7 @@ use crate::cells::Cell;
 use crate::words::Words;
 use dashpot_diagnosis::Diagnosis;
 
-/// Builds one table per iteration. Returns `None` if no hypothesis was tested.
+/// Builds one table per iteration of the diagnosis. Returns `None` if no hypothesis was tested.
 pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     let rounds: Vec<_> = found.iterations.iter().filter(|round| !round.is_empty()).collect();
     if rounds.is_empty() {
@@ -13,7 +13,8 @@ pub fn section(found: &Diagnosis, words: &Words) -> Option<Section> {
     }
     let mut blocks = vec![Block::Paragraph(words.tried_about.to_owned())];
     for (k, round) in rounds.iter().enumerate() {
-        // The first table includes the findings, because the other hypotheses were added to the model that contains the findings.
+        // The first table begins with the findings, the effects that the diagnosis added. The other hypotheses were tested on the model
+        // with the findings.
         let named = if k == 0 { found.findings.as_slice() } else { &[] };
         let named = named.iter().map(|f| (f.effect, f.form, f.confidence, &f.evidence));
         let rows = named

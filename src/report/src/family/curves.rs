@@ -11,14 +11,14 @@ use dashpot_identification::validation::{PeakForce, Validation};
 use dashpot_simulation::comparison::at_constant_velocity;
 use dashpot_simulation::prediction::at_velocities;
 
-/// Size of the figure of the curves by setting, px, for the full width of a printed page.
+/// Width and height of the figure of the FV curves by setting, px, for the full width of a printed page.
 const WIDE: [f64; 2] = [880.0, 400.0];
 /// Number of points of a line over the setting.
 const POINTS: usize = 61;
-/// Velocities of the lines over the setting, as fractions of the velocity range of the tests.
+/// Velocities of the lines of force over setting, as fractions of the largest peak velocity of the tests in each direction.
 const FRACTIONS: [f64; 3] = [1.0, 0.5, 0.1];
 
-/// Series with names that come from the data instead of the report's texts.
+/// Plotted series whose legend names come from the data instead of the report's texts.
 #[derive(Default)]
 struct Named {
     series: Vec<Series>,
@@ -44,7 +44,7 @@ impl Named {
     }
 }
 
-/// Draws the force at constant velocity for each setting. The measured peaks have the color of their setting.
+/// Draws the force at constant velocity for each setting. The measured peak forces have the color of their setting.
 pub fn by_setting(damper: &Definition, validation: &Validation, words: &Words) -> Option<Figure> {
     let line = |setting: f64| -> Vec<[f64; 2]> {
         let Ok(model) = Model::new(&damper.params_at(setting)) else { return Vec::new() };
@@ -56,7 +56,7 @@ pub fn by_setting(damper: &Definition, validation: &Validation, words: &Words) -
         let place = grid.iter().position(|value| dashpot_records::is_same_setting(*value, of.setting));
         let role = place.map_or(Role::Before, |k| Role::Group(k as u8));
         let own = of.places.iter().filter_map(|place| validation.tests.get(*place)).flat_map(|test| &test.peaks);
-        // The line with this color already has the name in the legend.
+        // The FV curve of the same setting, in the same color, already has the legend entry.
         all.add(role, String::new(), own.map(measured).collect(), Marks::Dots);
     }
     for (k, setting) in grid.iter().enumerate() {
@@ -77,7 +77,7 @@ fn measured(peak: &PeakForce) -> [f64; 2] {
 /// Draws the force over the setting, and the force ratio of the hardest to the softest setting over velocity.
 pub fn over_setting(damper: &Definition, validation: &Validation, words: &Words) -> Vec<Figure> {
     let peaks: Vec<f64> = validation.tests.iter().flat_map(|test| &test.peaks).map(|peak| peak.velocity_m_s).collect();
-    // Slowest and fastest peak velocity of one direction, or 0 without peaks.
+    // Slowest and fastest peak velocity of the tests in one direction, m/s, or 0 without peaks.
     let reach = |is_own: fn(&f64) -> bool| {
         let own = || peaks.iter().copied().filter(is_own);
         let slowest = own().reduce(|a, b| if b.abs() < a.abs() { b } else { a }).unwrap_or(0.0);
@@ -123,7 +123,8 @@ fn without_gas(damper: &Definition, setting: f64) -> Option<Model> {
 
 /// Draws the force ratio of the hardest to the softest setting over velocity.
 ///
-/// Each direction covers the velocities from its slowest to its fastest peak. Below the slowest peak, no test determines the two forces.
+/// `compression` and `rebound` are the slowest and fastest peak velocity of each direction, m/s. The ratio is drawn between them: below the
+/// slowest peak, no test determines the two forces.
 fn ratio(damper: &Definition, [compression, rebound]: [[f64; 2]; 2], words: &Words) -> Option<Figure> {
     let strength = |setting: f64| -> Option<f64> {
         let model = without_gas(damper, setting)?;
@@ -179,7 +180,7 @@ mod tests {
     #[test]
     fn the_gas_is_no_part_of_the_ratio() {
         let figure = ratio(&damper(), [[-0.1, -1.0], [0.1, 1.0]], &crate::words::EN).unwrap();
-        // The ratio is 3 at all velocities, so the range of the axis encloses a single value.
+        // The damping forces of the settings 2 and 0 have the ratio 3 at all velocities, so the axis shows a single value.
         assert!(figure.caption.contains('2') && figure.svg.contains("data-plane"), "{}", figure.caption);
         let model = without_gas(&damper(), 2.0).unwrap();
         assert!((at_velocities(&model, &[0.5])[0][1] - 1500.0).abs() < 1e-6);

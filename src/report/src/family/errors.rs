@@ -1,4 +1,4 @@
-//! Errors at each setting.
+//! Errors of a model of an adjustable damper at each setting.
 
 use super::{named, named_summary};
 use crate::blocks::{Column, Table};
@@ -11,7 +11,7 @@ use dashpot_identification::family::{FamilyFit, SettingError};
 use dashpot_identification::validation::{Summary, Validation};
 use dashpot_records::setting_in_words;
 
-/// Builds the errors of the model and of its FV curve over the whole records of each setting.
+/// Builds the table of the errors of the model and of its FV curve over the whole records of each setting.
 ///
 /// Tests with a changing setting have a separate row.
 pub fn validated(damper: &Definition, validation: &Validation, words: &Words) -> Table {
@@ -34,14 +34,15 @@ pub fn validated(damper: &Definition, validation: &Validation, words: &Words) ->
     Table { caption: words.family_table.to_owned(), columns, rows, sortable: false }
 }
 
-/// Describes the largest error of the family between its settings. If it is worse than at the settings, adds advice.
+/// Describes the error at the setting that the model predicts worst from the other settings. If it is much larger than
+/// that of a fit at the setting, adds advice.
 pub fn between(fit: &FamilyFit, words: &Words) -> String {
     let Some(worst) = fit.worst_left_out() else { return words.family_between_unknown.to_owned() };
     let at = words.number(&setting_in_words(worst.setting, &fit.setting.unit));
     let figures = [digits(worst.error.mean_error_n, 3), percent(worst.error.error_percent), digits(worst.ratio, 2)];
     let [error, percent, ratio] = figures.each_ref();
-    // Records whose setting is in doubt make the error between the settings large. Further records do not help then, so
-    // the advice is different.
+    // Records with a doubtful setting cause a large error at a left-out setting. Further records do not help then, so
+    // the advice is to check the settings.
     let advice = match fit.has_doubtful_labels {
         true => words.family_between_labels.to_owned(),
         false => words.fill(words.family_between_records, &[("at", &at)]),
@@ -51,8 +52,8 @@ pub fn between(fit: &FamilyFit, words: &Words) -> String {
     words.fill(text, &values)
 }
 
-/// Builds a table of the errors at each setting. The models are an ordinary fit at the setting, the family, and the
-/// family that was fitted without the setting.
+/// Builds a table of the errors of three models at each setting. They are a fit at this setting alone, the family (one
+/// fit over all settings), and the family without this setting.
 pub fn left_out(damper: &Definition, fit: &FamilyFit, words: &Words) -> Table {
     let pair = |of: Option<&SettingError>| match of {
         Some(of) => [Cell::number(of.mean_error_n, error), Cell::number(of.error_percent, percent)],

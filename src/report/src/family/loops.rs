@@ -1,4 +1,4 @@
-//! Loops of selected tests: one motion at all settings, and the worst test of each setting.
+//! Force loops of selected tests: one motion at all settings, and the test with the largest relative error at each setting.
 
 use super::{named, named_summary};
 use crate::blocks::{Block, Figure, Section};
@@ -53,7 +53,8 @@ pub fn section(damper: &Definition, validation: &Validation, tests: &[Compared<'
     Some(Section::new("setting-loops", words.family_loops_section, blocks))
 }
 
-/// Selects one test for each setting, with the fastest motion that most settings share. Returns `None` without settings.
+/// Selects the motion that most settings have, the fastest of several, and returns the index of its test at each setting. Returns `None`
+/// without settings.
 fn common_motion(validation: &Validation) -> Option<Vec<Option<usize>>> {
     let alike = |a: usize, b: usize| {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs().max(b.abs());

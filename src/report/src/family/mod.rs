@@ -1,4 +1,5 @@
-//! The report of an adjustable damper: curves, errors and loops, in this order. The caller collapses the sections of the ordinary report.
+//! The report of an adjustable damper: curves, errors and loops, in this order. The sections of the ordinary validation report follow,
+//! collapsed.
 //!
 //! | module | contents |
 //! |---|---|
@@ -32,7 +33,7 @@ pub struct FamilyReport<'a> {
 }
 
 impl FamilyReport<'_> {
-    /// Builds the sections at the beginning of the report.
+    /// Builds the sections with which the report of an adjustable damper begins.
     pub fn sections(self, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Vec<Section> {
         let damper = self.model.definition();
         let unit = self.model.axis.unit();
@@ -55,7 +56,8 @@ impl FamilyReport<'_> {
         sections
     }
 
-    /// Builds the tables of parameters with intervals, of their dependence on the setting, and of the force of every effect.
+    /// Builds the tables of parameters with intervals, of their dependence on the setting, and of the force of every effect. Returns `None`
+    /// if all tables are empty.
     pub fn tables(self, words: &Words) -> Option<Section> {
         let mut blocks: Vec<Block> = numbers::table(self.model, words).map(Block::Table).into_iter().collect();
         blocks.extend(self.fit.map(|fit| Block::Table(numbers::dependences(fit, words))));

@@ -24,7 +24,7 @@ const ALWAYS: [Number; 5] = [
 /// Number of points of a line over the setting.
 const POINTS: usize = 61;
 
-/// Draws a figure for each parameter that depends on the setting, and for friction and gas.
+/// Draws a figure for each parameter of an enabled element that depends on the setting or is in [`ALWAYS`].
 pub fn figures(model: &ModelFile, words: &Words) -> Vec<Figure> {
     let varies = |number: Number| model.axis.values(number).is_some();
     let wanted = |row: &Row| {

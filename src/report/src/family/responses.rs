@@ -1,4 +1,5 @@
-//! Responses to steps of the setting up and down, their times, actuator parameters and hysteresis.
+//! Force responses to steps of the setting up and down, their response times, actuator parameters, and hysteresis of
+//! the setting.
 
 use super::{FamilyReport, axis_title, named};
 use crate::blocks::{Block, Column, Figure, Section, Table};
@@ -15,11 +16,11 @@ use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::validation::{ResponseTimes, StepResponse, TimeUncertainty, Validation};
 use dashpot_simulation::prediction::at_velocities;
 
-/// Overshoot, percent, below which the table shows 0, because a smaller one is a rounding error.
+/// Overshoot, percent of the step, below which the table shows 0, because a smaller overshoot is a rounding error.
 const NO_OVERSHOOT: f64 = 0.05;
 /// Number of points of the hysteresis loop over the setting while the setting increases, and again while it decreases.
 const POINTS: usize = 61;
-/// Velocity at which the hysteresis is drawn, as a fraction of the tests' largest velocity.
+/// Velocity at which the force hysteresis over the setting is drawn, as a fraction of the tests' largest peak velocity.
 const VELOCITY: f64 = 0.5;
 
 /// Builds the section of step responses. Returns `None` if the damper has no actuator and no test contains a step.
@@ -62,7 +63,7 @@ fn step_name(damper: &Definition, of: &StepResponse, words: &Words) -> String {
     format!("{} → {}", named(damper, of.from, words), named(damper, of.to, words))
 }
 
-/// Draws the response to one kind of step, with the model on top of the measurement.
+/// Draws the force response to a step from one setting to another, with the model on top of the measurement.
 fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: &Words) -> Figure {
     let line = |response: &[f64]| -> Vec<[f64; 2]> {
         of.time.iter().zip(response).map(|(t, r)| [1e3 * t, *r]).filter(|p| p[1].is_finite()).collect()
@@ -84,7 +85,7 @@ fn step(damper: &Definition, of: &StepResponse, title: &str, file: &str, words: 
     Figure::new(file, plane.draw_named(&names, SIZE, words)).saying(step_name(damper, of, words))
 }
 
-/// Builds the table of the response times for all kinds of steps.
+/// Builds the table of measured and computed response times, with one row for each pair of start and end setting.
 fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Table {
     let five = |times: Option<&ResponseTimes>, uncertainty: Option<TimeUncertainty>| -> [Cell; 5] {
         let milli = |s: f64, known: Option<f64>| {
@@ -124,7 +125,8 @@ fn table(damper: &Definition, responses: &[StepResponse], words: &Words) -> Tabl
     }
 }
 
-/// Names the steps at which the model is later or earlier than measured. Returns `None` without such steps.
+/// Names the steps of the setting at which the force of the model is later or earlier than measured. Returns `None`
+/// without such steps.
 fn delays(damper: &Definition, responses: &[StepResponse], words: &Words) -> Option<String> {
     let step = |of: &StepResponse| {
         let delay = 1e3 * of.delay_of_model()?;
@@ -178,7 +180,8 @@ fn hysteresis(damper: &Definition, validation: &Validation, words: &Words) -> Op
     let peaks = validation.tests.iter().map(|test| test.peak_velocity_m_s);
     let velocity = VELOCITY * peaks.fold(0.0, f64::max);
     let (low, high) = damper.axis.range();
-    // The setting changes slowly, so the valve is in equilibrium at each command. Thus, dead time and lag are omitted.
+    // The command changes slowly, so the valve is in equilibrium at each command. Thus, the dead time and lag of the
+    // actuator are omitted.
     let still = Actuator { hysteresis: actuator.hysteresis, rest: actuator.rest, ..Actuator::NONE };
     let mut stand = still.still(low);
     let mut way = |is_up: bool| -> Vec<[f64; 2]> {

@@ -5,7 +5,7 @@ use super::svg::{Anchor, Svg, TextStyle};
 use super::ticks::Ticks;
 use crate::words::Words;
 
-/// Size of a plane figure, px.
+/// Default width and height of a plane figure, px.
 pub const SIZE: [f64; 2] = [460.0, 330.0];
 /// Largest number of points of all lines of a series. With 260, a report of 55 tests stays below 3 MB. With 450, the report has 3.8 MB
 /// without visible improvement.
@@ -43,7 +43,7 @@ pub enum Scale {
 }
 
 impl Scale {
-    /// Returns the name for the page's script. The script applies the same scale when a reader zooms.
+    /// Returns the name of the scale for the script of the HTML page. The script applies this scale to the ticks when a reader zooms.
     fn name(self) -> &'static str {
         match self {
             Self::Linear => "linear",
@@ -52,7 +52,7 @@ impl Scale {
         }
     }
 
-    /// Transforms a value to its position on the scale.
+    /// Transforms a value in the unit of the axis to its position on the scale, before normalization to the length of the axis.
     pub fn position(self, value: f64) -> f64 {
         match self {
             Self::Linear => value,
@@ -88,7 +88,8 @@ impl Axis {
         Self { label: label.into(), low: low - margin, high: high + margin, scale: Scale::Linear }
     }
 
-    /// Makes an axis that ends exactly at `low` and `high`, such as a time axis. If `high` is not above `low`, the axis has a margin.
+    /// Makes an axis that ends exactly at `low` and `high`, such as a time axis. If `high` is not above `low`, makes an axis around `low`
+    /// with a margin.
     pub fn exactly(label: impl Into<String>, low: f64, high: f64) -> Self {
         if high > low {
             Self { label: label.into(), low, high, scale: Scale::Linear }
@@ -97,13 +98,13 @@ impl Axis {
         }
     }
 
-    /// Returns the position of a value between 0 (low end) and 1 (high end).
+    /// Returns the position of a value along the axis: 0 at the low end, 1 at the high end.
     pub fn place(&self, value: f64) -> f64 {
         let [low, value, high] = [self.low, value, self.high].map(|v| self.scale.position(v));
         (value - low) / (high - low)
     }
 
-    /// Returns about `wanted` ticks. A logarithmic axis selects its own number.
+    /// Returns about `wanted` ticks. On a logarithmic axis, the number depends on the range alone.
     pub fn ticks(&self, wanted: usize, words: &Words) -> Ticks {
         let ticks = match self.scale {
             Scale::Linear => Ticks::linear(self.low, self.high, wanted),
@@ -114,14 +115,14 @@ impl Axis {
     }
 }
 
-/// Lines of one role in data units. Each inner list is one unbroken line.
+/// Lines of one role, in the units of the axes.
 #[derive(Debug, Clone)]
 pub struct Series {
-    /// Role, which selects the color.
+    /// What the series shows, such as the measurement. It selects color, line width and dashes.
     pub role: Role,
     /// Name in the legend.
     pub label: &'static str,
-    /// Unbroken lines.
+    /// Unbroken lines; each inner list contains the points of one line.
     pub lines: Vec<Vec<[f64; 2]>>,
     /// Display of the points.
     pub marks: Marks,
@@ -156,19 +157,19 @@ pub struct Plane {
 /// Method of drawing the lines of a figure.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Drawn {
-    /// Lines with at most this number of points.
+    /// Lines, thinned to at most this number of points for each series.
     Lines(usize),
     /// The area that the lines cover.
     Traces,
 }
 
 impl Plane {
-    /// Draws the figure.
+    /// Draws the figure in the default size.
     pub fn draw(&self, words: &Words) -> String {
         self.drawn(Drawn::Lines(LINE_LIMIT), SIZE, words, &[])
     }
 
-    /// Draws long oscillating lines with a larger limit of points.
+    /// Draws long oscillating lines with six times the default limit of points.
     pub fn draw_long(&self, words: &Words) -> String {
         self.drawn(Drawn::Lines(6 * LINE_LIMIT), SIZE, words, &[])
     }
@@ -178,12 +179,12 @@ impl Plane {
         self.drawn(Drawn::Traces, SIZE, words, &[])
     }
 
-    /// Draws the figure at another size, px.
+    /// Draws the figure with the width and height `size`, px.
     pub fn draw_sized(&self, size: [f64; 2], words: &Words) -> String {
         self.drawn(Drawn::Lines(LINE_LIMIT), size, words, &[])
     }
 
-    /// Draws the figure at another size, px. The names of its series come from the data instead of the report's texts.
+    /// Draws the figure with the width and height `size`, px. `names` replace the labels of the series in the legend.
     pub fn draw_named(&self, names: &[String], size: [f64; 2], words: &Words) -> String {
         self.drawn(Drawn::Lines(LINE_LIMIT), size, words, names)
     }
@@ -205,7 +206,7 @@ impl Plane {
         let mark = |s: &Series| if matches!(s.marks, Marks::Dots | Marks::LargeDots) { Mark::Dot } else { Mark::Line };
         let label = |k: usize, series: &Series| names.get(k).map_or(series.label, String::as_str).to_owned();
         let labels: Vec<String> = self.series.iter().enumerate().map(|(k, series)| label(k, series)).collect();
-        // A series with an empty name shares the legend entry of another series.
+        // A series with an empty name shares the legend entry of another series, so it gets no entry of its own.
         let named = self.series.iter().zip(&labels).filter(|(_, label)| names.is_empty() || !label.is_empty());
         let legend: Vec<_> = named.map(|(series, label)| (series.role, label.as_str(), mark(series))).collect();
         heading(&mut svg, &self.title, left, &legend);
@@ -293,8 +294,8 @@ pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mar
 /// Ratio of the widths of bold and regular letters.
 const BOLD: f64 = 1.08;
 
-/// Estimates the width of a text, px, in the widest common fonts (Verdana and DejaVu Sans). Chinese letters are as wide as high. If the
-/// page has a narrower font, a small gap remains. An estimate from a narrow font would truncate labels.
+/// Estimates the width of a text of the font size `size`, px, in the widest common fonts (Verdana and DejaVu Sans). Chinese characters are
+/// as wide as high. If the page has a narrower font, a small gap remains. An estimate from a narrow font would truncate labels.
 pub fn text_width(text: &str, size: f64) -> f64 {
     let letter = |c: char| if ('\u{2e80}'..='\u{ffef}').contains(&c) { 1.02 } else { 0.64 };
     size * text.chars().map(letter).sum::<f64>()

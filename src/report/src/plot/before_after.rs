@@ -11,7 +11,7 @@ use dashpot_diagnosis::TestOutcome;
 /// Smallest error on the logarithmic axis, N. Smaller errors are drawn at this value.
 const FLOOR: f64 = 0.01;
 
-/// Returns the name of every test, with numbers for the segments of a long test.
+/// Returns the name of every test. If several outcomes belong to one test, as segments of a long record, the names contain their numbers.
 pub fn names(tests: &[TestOutcome], words: &Words) -> Vec<String> {
     let same = |a: &TestOutcome, b: &TestOutcome| a.test == b.test && a.left_out == b.left_out;
     tests
@@ -46,8 +46,8 @@ pub fn errors(tests: &[TestOutcome], words: &Words) -> String {
     let mut svg = Svg::new(right.max(470.0) + 14.0, bottom + longest + 20.0, title);
     let legend = [(Role::Before, words.before, Mark::Dot), (Role::Model, words.after, Mark::Dot)];
     heading(&mut svg, title, left, &legend);
-    // The entry for the noise stands to the right of the legend. Its position follows from the texts, because the legend is wider in some
-    // languages than in English.
+    // The legend entry for the noise is to the right of the other entries. Its position follows from their text widths, which depend on the
+    // language.
     let wide: f64 = legend.iter().map(|(_, label, _)| 41.0 + text_width(label, LABEL)).sum();
     let noise = left + wide.max(175.0);
     svg.frame(&[[[noise, 33.0], [noise + 12.0, 33.0]]], 1.6);
@@ -120,7 +120,8 @@ pub fn residual_velocity(test: &TestOutcome, words: &Words) -> String {
     plane([words.plot_left_velocity, words.axis_velocity, words.axis_residual], series, words)
 }
 
-/// Returns the sample indices along a curve. For a cycle, the first index follows the last, so that the loop closes.
+/// Returns the sample indices along the curves of a test. For a test with cycles, the first index also follows the last, so that the drawn
+/// loop closes.
 fn closed(test: &TestOutcome) -> impl Iterator<Item = usize> {
     let count = test.curves.measured.len();
     (0..count).chain((test.curves.frequency > 0.0 && count > 0).then_some(0))
@@ -143,7 +144,7 @@ fn forces(test: &TestOutcome, words: &Words, over: impl Fn(usize) -> f64) -> Vec
     .collect()
 }
 
-/// Makes a figure whose axes contain all series.
+/// Draws a figure whose axes cover all series.
 fn plane([title, x, y]: [&str; 3], series: Vec<Series>, words: &Words) -> String {
     let values = |which: usize| series.iter().flat_map(|s| s.lines.iter().flatten()).map(move |point| point[which]);
     Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }.draw(words)
@@ -156,7 +157,7 @@ pub mod tests {
     use crate::words::EN;
     use dashpot_diagnosis::Curves;
 
-    /// Makes a sine test. Its model lacks 20 N of friction before the diagnosis and 1 N after it.
+    /// Makes a sine test of 1 Hz. Its model lacks 20 N of friction before the diagnosis and 1 N after it.
     pub fn outcome(name: &str, held_out: bool) -> TestOutcome {
         let phase = |i: usize| std::f64::consts::TAU * (i as f64 + 0.5) / 100.0;
         let over = |f: &dyn Fn(f64) -> f64| (0..100).map(|i| f(phase(i))).collect::<Vec<f64>>();

@@ -1,4 +1,4 @@
-//! Three-dimensional cross-plots of one test: the force over velocity and displacement, and its error.
+//! Three-dimensional cross-plots of one test: the force over velocity and displacement, and the error of the computed force.
 //!
 //! The projection is parallel (axonometric), so that equal lengths along an axis stay equal. The projections of the
 //! measured loop on the back walls are the force–velocity and force–displacement plots.
@@ -11,7 +11,7 @@ use super::svg::{Anchor, Svg, TextStyle};
 use crate::words::Words;
 use dashpot_identification::validation::Compared;
 
-/// Rotation of the box about the vertical axis, degrees.
+/// Rotation about the vertical axis of the box that contains the plot, degrees.
 const TURN: f64 = 36.0;
 /// Elevation of the line of sight, degrees.
 const ELEVATION: f64 = 20.0;
@@ -20,7 +20,7 @@ const BOX: [f64; 3] = [225.0, 185.0, 150.0];
 /// Center of the box in the figure, px.
 const MIDDLE: Point = [242.0, 168.0];
 
-/// Draws the force over velocity and displacement.
+/// Draws the measured and the computed forces over velocity and displacement.
 pub fn force(compared: &Compared<'_>, words: &Words) -> String {
     let series = [
         (Role::Measured, words.measured, compared.record.force.clone()),
@@ -30,7 +30,7 @@ pub fn force(compared: &Compared<'_>, words: &Words) -> String {
     draw([words.plot_force_space, words.axis_force], compared, &series, words)
 }
 
-/// Draws the error over velocity and displacement.
+/// Draws the errors, computed minus measured force, of model and FV curve over velocity and displacement.
 pub fn error(compared: &Compared<'_>, words: &Words) -> String {
     let minus = |force: &[f64]| force.iter().zip(&compared.record.force).map(|(f, measured)| f - measured).collect();
     let series =
@@ -120,7 +120,7 @@ fn draw_box(svg: &mut Svg, axes: &[Axis; 3], words: &Words) {
         line([0.0, 1.0, 1.0], [1.0, 1.0, 1.0]),
     ]);
     svg.frame(&frame, 0.8);
-    // Draw the line of zero on both back walls.
+    // Draw the line of zero force, or zero error, on both back walls.
     let zero = axes[2].place(0.0);
     if (0.0..=1.0).contains(&zero) {
         svg.frame(&[line([0.0, 0.0, zero], [0.0, 1.0, zero]), line([0.0, 1.0, zero], [1.0, 1.0, zero])], 0.6);
@@ -168,7 +168,8 @@ mod tests {
 
     #[test]
     fn the_back_walls_are_behind_the_box() {
-        // The center of each drawn wall must lie behind the center of the opposite wall: its depth is larger.
+        // The depth is the distance away from the reader. It must be larger at the center of each drawn wall than at the center of the
+        // opposite wall.
         let depth = |at: [f64; 3]| {
             let turn = TURN.to_radians();
             (at[1] - 0.5) * BOX[1] * libm::cos(turn) - (at[0] - 0.5) * BOX[0] * libm::sin(turn)

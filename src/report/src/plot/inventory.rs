@@ -9,17 +9,17 @@ use dashpot_diagnosis::{InventoryItem, Status, TestOutcome};
 
 /// Number of effects with a separate layer in the figure. One further layer combines all smaller effects, if there are several.
 const SHOWN: usize = 7;
-/// Largest number of bands of amplitude, and of peak velocity, so that the figure fits on half a printed page.
+/// Largest number of bands of amplitude, and of peak velocity. With this number, the figure fits on half a printed page.
 const BANDS: usize = 6;
 /// Smallest ratio of neighboring values that may separate two bands. Rigs control an amplitude within 5 %, and test matrices step by 20 %
 /// or more.
 const APART: f64 = 1.15;
-/// Width of the figure, px, for the full width of a printed page.
+/// Width of the figure, px, which fills a printed page.
 const WIDTH: f64 = 880.0;
 const ROW: f64 = 24.0;
 const BAR: f64 = 16.0;
 
-/// Tests of similar amplitude or peak velocity.
+/// Tests of similar amplitude, m, or of similar peak velocity, m/s, between `low` and `high`.
 #[derive(Debug, PartialEq)]
 struct Band {
     low: f64,
@@ -28,7 +28,8 @@ struct Band {
     tests: Vec<usize>,
 }
 
-/// Divides values into bands at the largest ratios of neighbors. Tests of one nominal value stay together.
+/// Divides the values of tests into at most [`BANDS`] bands, at the largest ratios of neighboring values above [`APART`]. Values that are
+/// not positive and finite are in no band.
 fn bands(values: &[f64]) -> Vec<Band> {
     let mut order: Vec<usize> = (0..values.len()).filter(|k| values[*k].is_finite() && values[*k] > 0.0).collect();
     order.sort_by(|a, b| values[*a].total_cmp(&values[*b]).then(a.cmp(b)));
@@ -47,7 +48,7 @@ fn bands(values: &[f64]) -> Vec<Band> {
 }
 
 impl Band {
-    /// Formats the values of the band in mm or mm/s: one value, or a range.
+    /// Formats the values of the band in mm or mm/s: their geometric mean if they are close together, otherwise a range.
     fn label(&self, words: &Words) -> String {
         let text = |si: f64| digits(1e3 * si, 2);
         if self.high < APART * self.low {
@@ -56,7 +57,7 @@ impl Band {
         words.number(&words.fill_as_is(words.range, &[("low", &text(self.low)), ("high", &text(self.high))]))
     }
 
-    /// Computes the root mean square of `by_test` over the tests of the band.
+    /// Computes the root mean square of the forces `by_test`, N, over the tests of the band.
     fn rms(&self, by_test: &[f64]) -> f64 {
         let sum: f64 = self.tests.iter().map(|k| by_test[*k] * by_test[*k]).sum();
         (sum / self.tests.len() as f64).sqrt()
@@ -70,8 +71,8 @@ struct Layer {
     by_test: Vec<f64>,
 }
 
-/// Returns the effects of the most probable model. The largest force comes first. The last layer combines all effects without a separate
-/// layer. Its force is the root of their summed squares.
+/// Returns one layer for each effect of the most probable model, the largest force first. The last layer combines all effects without a
+/// separate layer. Its force is the root of their summed squares, N.
 fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     let is_drawn = |item: &&InventoryItem| {
         matches!(item.status, Status::Kept | Status::Added)
@@ -98,7 +99,7 @@ fn layers(items: &[InventoryItem], tests: usize, words: &Words) -> Vec<Layer> {
     all
 }
 
-/// Draws the figure. Returns `None` if no effect has a force in a fitted test.
+/// Draws the stacked rms forces of the effects by band. Returns `None` if no effect has a force in a fitted test.
 pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) -> Option<String> {
     let fitted: Vec<&TestOutcome> = tests.iter().filter(|test| !test.left_out).collect();
     let layers = layers(items, fitted.len(), words);
@@ -166,7 +167,8 @@ pub fn stacked(items: &[InventoryItem], tests: &[TestOutcome], words: &Words) ->
     Some(svg.finish())
 }
 
-/// Positions the names of the legend in as few lines as possible. Returns the positions and the lower edge of the last line.
+/// Positions the legend names between `left` and `right` in as few lines as possible. Returns the positions and the lower edge of the last
+/// line, px.
 fn legend(layers: &[Layer], left: f64, right: f64) -> (Vec<[f64; 2]>, f64) {
     let [mut x, mut y] = [left, 37.0];
     let mut all = Vec::new();
@@ -226,7 +228,8 @@ mod tests {
         ];
         let text = stacked(&items, &tests, &EN).unwrap();
         assert!(!text.contains("NaN") && !text.contains("inf"));
-        // There is one band of amplitude and one of velocity, because both tests have the same motion. The rms of 40 and 0 N is 28.3 N.
+        // There is one band of amplitude and one of velocity, because both tests have the same motion. The rms of the forces 40 N and 0 N
+        // of the two tests is 28.3 N.
         assert_eq!(text.matches("<title>air in the oil: 28.3 N</title>").count(), 2, "{text}");
         assert_eq!(text.matches("<title>dry friction: 20.0 N</title>").count(), 2);
         assert!(!text.contains("rubber bush") && !text.contains("gas spring"));

@@ -1,6 +1,6 @@
 //! Figures as SVG text, with one function per figure. Each function returns a complete SVG document.
 //!
-//! The crate has its own SVG writer, because engineers read the shape of the loops. The writer keeps this shape: coordinates have a
+//! The crate has its own SVG writer, because engineers read the shape of the force loops. The writer keeps this shape: coordinates have a
 //! resolution of a tenth of a pixel, and thinning of points does not change a path visibly.
 //!
 //! | file | figures |
@@ -11,7 +11,7 @@
 //! | [`peaks`] | peak force over peak velocity with the identified curve and limits |
 //! | [`before_after`] | error and loops of single tests, before and after a diagnosis |
 //! | [`inventory`] | force of every effect by amplitude and peak velocity |
-//! | [`residual`], [`residual_map`] | residual over velocity, time since reversal and displacement |
+//! | [`residual`], [`residual_map`] | residual force over velocity, time since the last reversal of motion, and displacement |
 //!
 //! In every figure the measurement is blue, the model red, and the force–velocity curve green and dashed. A model before its improvement is
 //! gray and dashed. Each mark has a color for a light background. It also has a class, so that a page can recolor the figure for a dark

@@ -1,4 +1,4 @@
-//! Plane figures of one test.
+//! Plane figures of the measured and computed forces of one test.
 //!
 //! Loops show the last two whole cycles, where the model is in steady state. Figures of a test without cycles show the whole test.
 //! Displacement is in mm, velocity in mm/s, force in N.
@@ -12,7 +12,7 @@ use std::ops::Range;
 /// Number of whole cycles that the figures of loops show.
 pub const CYCLES_SHOWN: usize = 2;
 
-/// Draws force over velocity.
+/// Draws the measured force, and the forces of model and FV curve, over velocity.
 pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
@@ -26,7 +26,7 @@ pub fn force_velocity(compared: &Compared<'_>, words: &Words) -> String {
     plane([words.plot_force_velocity, words.axis_velocity, words.axis_force], series, words)
 }
 
-/// Draws force over velocity: measured, of the model, and of another model for comparison.
+/// Draws three forces over velocity: measured, of the model, and `force`, N, of the model `name` from the literature.
 pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force: &[f64], words: &Words) -> String {
     let velocity = &compared.record.velocity;
     let shown = shown(compared);
@@ -37,14 +37,14 @@ pub fn force_velocity_against(compared: &Compared<'_>, name: &'static str, force
     plane([name, words.axis_velocity, words.axis_force], series, words)
 }
 
-/// Draws force over displacement.
+/// Draws the measured force, and the forces of model and FV curve, over displacement.
 pub fn force_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
     let series = forces(compared, words, &shown(compared), |i| 1e3 * displacement[i]);
     plane([words.plot_force_displacement, words.axis_displacement, words.axis_force], series, words)
 }
 
-/// Draws force over time, from the start of the visible cycles.
+/// Draws the measured force, and the forces of model and FV curve, over the time since the start of the visible cycles.
 pub fn force_time(compared: &Compared<'_>, words: &Words) -> String {
     let time = &compared.record.time;
     let shown = shown(compared);
@@ -56,7 +56,7 @@ pub fn force_time(compared: &Compared<'_>, words: &Words) -> String {
     plane.draw(words)
 }
 
-/// Draws the error over velocity.
+/// Draws the errors, computed minus measured force, of model and FV curve over velocity.
 pub fn error_velocity(compared: &Compared<'_>, words: &Words) -> String {
     let velocity = &compared.record.velocity;
     plane(
@@ -66,7 +66,7 @@ pub fn error_velocity(compared: &Compared<'_>, words: &Words) -> String {
     )
 }
 
-/// Draws the error over displacement.
+/// Draws the errors, computed minus measured force, of model and FV curve over displacement.
 pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     let displacement = &compared.record.displacement;
     plane(
@@ -76,7 +76,7 @@ pub fn error_displacement(compared: &Compared<'_>, words: &Words) -> String {
     )
 }
 
-/// Draws the gap of the hysteresis loop over velocity, averaged over all whole cycles.
+/// Draws the gap of the hysteresis loop (the force difference between its two branches) over velocity, averaged over all whole cycles.
 pub fn hysteresis_gap(hysteresis: &Hysteresis, words: &Words) -> String {
     let line = |role, label, gap: fn(&dashpot_identification::validation::OfEach) -> f64| Series {
         role,
@@ -103,7 +103,7 @@ pub fn shown(compared: &Compared<'_>) -> Vec<Range<usize>> {
     ranges.into_iter().filter(|range| !range.is_empty()).collect()
 }
 
-/// Returns measurement, curve and model over a quantity, in drawing order. The model is on top.
+/// Returns the forces of measurement, FV curve and model over the quantity `over` of a sample, in drawing order. The model is on top.
 fn forces(compared: &Compared<'_>, words: &Words, shown: &[Range<usize>], over: impl Fn(usize) -> f64) -> Vec<Series> {
     [
         (Role::Measured, words.measured, &compared.record.force),
@@ -120,7 +120,7 @@ fn forces(compared: &Compared<'_>, words: &Words, shown: &[Range<usize>], over: 
     .collect()
 }
 
-/// Returns the errors of curve and model over a quantity.
+/// Returns the errors of FV curve and model, N, over the quantity `over` of a sample.
 fn errors(compared: &Compared<'_>, words: &Words, over: impl Fn(usize) -> f64) -> Vec<Series> {
     let measured = &compared.record.force;
     let shown = shown(compared);
@@ -135,7 +135,7 @@ fn errors(compared: &Compared<'_>, words: &Words, over: impl Fn(usize) -> f64) -
         .collect()
 }
 
-/// Makes a figure whose axes contain all series.
+/// Makes a figure whose axes cover all series.
 fn prepare(title: &str, x: &str, y: &str, series: Vec<Series>) -> Plane {
     let values = |which: usize| series.iter().flat_map(|s| s.lines.iter().flatten()).map(move |point| point[which]);
     Plane { title: title.into(), x: Axis::around(x, values(0)), y: Axis::around(y, values(1)), series }
@@ -174,7 +174,7 @@ pub mod tests {
         record
     }
 
-    /// Compares the record with a model that is 5 N too high, and with a curve without the loop.
+    /// Compares the record with a model whose force is 5 N too high, and with a linear FV curve without the loop of the record.
     pub fn compared(record: &Record) -> Compared<'_> {
         Compared {
             record,

@@ -7,7 +7,7 @@ use super::ticks::{Ticks, number};
 use crate::words::Words;
 use dashpot_identification::validation::{Errors, Validation};
 
-/// Longest test name that is not shortened, characters.
+/// Length of the longest test name that is not shortened, characters.
 const NAME: usize = 28;
 
 /// Draws the relative errors of model and force–velocity curve for every test, on a logarithmic scale. Keeps the given order of tests.
@@ -23,7 +23,7 @@ pub fn error_of_tests(validation: &Validation, words: &Words) -> String {
     let mut svg = Svg::new(right.max(380.0) + 14.0, bottom + longest + 20.0, title);
     heading(&mut svg, title, left, &[(Role::Model, words.model, Mark::Dot), (Role::FvOnly, words.fv_curve, Mark::Dot)]);
 
-    // A zero error has no logarithm, so the plot shows it at this lower bound.
+    // A zero error has no logarithm, so the plot shows it at this lower bound, percent.
     const FLOOR: f64 = 0.01;
     let percents = tests.iter().flat_map(|t| [t.errors.model.error_percent, t.errors.fv_only.error_percent]);
     let (low, high) = percents.map(|p| p.max(FLOOR)).fold((f64::MAX, f64::MIN), |(l, h), p| (l.min(p), h.max(p)));
@@ -59,7 +59,8 @@ pub fn error_map(validation: &Validation, words: &Words) -> Option<String> {
     map(validation, [words.plot_error_map, &note], words, both)
 }
 
-/// Draws the error map with the error that `of` selects. Returns `None` if the campaign has no periodic tests.
+/// Draws the map of the error, percent, that `of` selects, by amplitude and peak velocity. Returns `None` if the campaign has no periodic
+/// tests.
 pub fn error_map_of(
     validation: &Validation,
     title: &str,
@@ -115,7 +116,7 @@ fn map(
     Some(svg.finish())
 }
 
-/// Formats a length in mm or a velocity in mm/s from SI, with three digits.
+/// Formats a length, m, in mm, or a velocity, m/s, in mm/s, with three digits and at most two decimals.
 fn millimetres(si: f64) -> String {
     let value = 1e3 * si;
     number(value, (2.0 - libm::log10(value.abs().max(0.01)).floor()).clamp(0.0, 2.0) as usize)

@@ -20,11 +20,12 @@ pub enum Role {
     Shadow,
     /// Limits of a specification.
     Limit,
-    /// One of many dampers, with one of eight hues.
+    /// One of many dampers, by its index. The eight hues repeat from index 8 on.
     Group(u8),
 }
 
-/// Hues of many dampers, on light and on dark background. The first five follow Okabe & Ito; violet, olive and brown are additions.
+/// Colors of up to eight dampers, on light and on dark background. The first five hues follow Okabe & Ito; violet, olive and brown are
+/// additions.
 const GROUPS: [[&str; 2]; 8] = [
     ["#d43d0f", "#ff7f52"],
     ["#0067a5", "#5cb8f2"],
@@ -84,7 +85,7 @@ impl Role {
     /// Returns the line width, px.
     pub fn width(self) -> f64 {
         match self {
-            // The line is wide, so that both edges of the line stay visible if the model coincides with it.
+            // The line of the measurement is wide, so that both its edges stay visible if the model's line coincides with it.
             Self::Measured => 2.8,
             Self::Model => 1.1,
             Self::FvOnly | Self::Before => 1.3,
@@ -139,8 +140,8 @@ pub fn heat(percent: f64) -> (String, bool) {
     (format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2)), place < 0.72)
 }
 
-/// Returns the fill of a map cell for a signed value, relative to the end of the scale (−1..1). Positive values are orange, negative values
-/// purple, zero is white. No force has one of these hues, and color-blind readers can distinguish the two.
+/// Returns the fill of a map cell for a signed value between −1 and 1, the ends of the color scale. Positive values are orange, negative
+/// values purple, zero is near white. No plotted force has one of these two hues, and color-blind readers can distinguish them.
 pub fn signed(place: f64) -> String {
     const ZERO: [f64; 3] = [247.0, 247.0, 247.0];
     const ABOVE: [[f64; 3]; 2] = [[244.0, 165.0, 85.0], [166.0, 76.0, 4.0]];
@@ -178,13 +179,14 @@ mod tests {
 
     #[test]
     fn the_forces_stay_apart_without_red_or_green_cones() {
-        // Matrices of Machado, Oliveira & Fernandes 2009, severity 1: normal, protanopia, deuteranopia.
+        // Matrices from linear RGB to the perceived linear RGB (Machado, Oliveira & Fernandes 2009, severity 1): normal vision, protanopia,
+        // deuteranopia.
         let sights = [
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]],
             [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
             [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]],
         ];
-        // No figure contains both the curve alone and a model before its improvement.
+        // No figure contains both the FV curve alone and a model before its improvement, so these two colors are not compared.
         let figures = [[Role::Measured, Role::Model, Role::FvOnly], [Role::Measured, Role::Model, Role::Before]];
         for sight in sights {
             let seen = |colour: &str| {

@@ -7,10 +7,11 @@ use crate::words::Words;
 use dashpot_identification::limits::{Certificate, Quantity};
 use dashpot_identification::validation::Validation;
 
-/// Size of the figure, px, for the full width of a printed page.
+/// Width and height of the figure, px. The width fills a printed page.
 const SIZE: [f64; 2] = [880.0, 400.0];
 
-/// Draws the figure. Returns `None` if no test has a peak velocity.
+/// Draws measured and computed peak forces of all tests over peak velocity. Returns `None` if no test has a peak
+/// velocity.
 ///
 /// `curve` contains velocities, m/s, and the model's force, N, at each constant velocity.
 pub fn force_at_peak(validation: &Validation, curve: &[[f64; 2]], words: &Words) -> Option<String> {
@@ -20,7 +21,7 @@ pub fn force_at_peak(validation: &Validation, curve: &[[f64; 2]], words: &Words)
     draw(measured, model, curve, validation.limits.as_ref(), words)
 }
 
-/// Draws the peaks of a certificate with its limits. Returns `None` without measured peaks.
+/// Draws the peak forces and the limits of a certificate over peak velocity. Returns `None` without measured peaks.
 pub fn against_limits(certificate: &Certificate, curve: &[[f64; 2]], words: &Words) -> Option<String> {
     let peaks = &certificate.peaks;
     let measured = peaks.iter().map(|p| [1e3 * p.velocity_m_s, p.force_n]).collect();

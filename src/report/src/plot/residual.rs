@@ -5,11 +5,11 @@ use super::palette::Role;
 use crate::words::Words;
 use dashpot_diagnosis::TestOutcome;
 
-/// Number of velocity bins, for compression and rebound together.
+/// Number of velocity bins of a mean residual, for compression and rebound together.
 const VELOCITY_BINS: usize = 30;
-/// Number of bins per decade of time.
+/// Number of bins per decade of the time since the last reversal of motion.
 const PER_DECADE: f64 = 5.0;
-/// Smallest number of samples in a bin whose mean is shown.
+/// Smallest number of samples in a bin whose mean residual is shown.
 const FEWEST: usize = 8;
 
 /// One sample of a test, with its residuals.
@@ -21,9 +21,9 @@ pub struct Sample {
     pub velocity: f64,
     /// Residual before the improvement: measured minus computed force, N.
     pub before: f64,
-    /// Residual after the improvement, N.
+    /// Residual after the improvement: measured minus computed force, N.
     pub after: f64,
-    /// Noise of the sample, N.
+    /// Noise of the force in the test of this sample, N.
     pub noise: f64,
     /// Whether the speed, the magnitude of the velocity, rises.
     pub speeding_up: bool,
@@ -31,7 +31,7 @@ pub struct Sample {
     pub since_reversal: Option<f64>,
 }
 
-/// Returns all samples at which both models give a finite force.
+/// Returns all samples at which the model has a finite force, both before and after the improvement.
 pub fn samples(tests: &[TestOutcome]) -> Vec<Sample> {
     tests.iter().flat_map(of_test).filter(|s| s.before.is_finite() && s.after.is_finite()).collect()
 }
@@ -62,7 +62,8 @@ fn of_test(test: &TestOutcome) -> Vec<Sample> {
     let since = |i: usize| {
         let same = |k: usize| velocity[(i + n - k) % n] * velocity[i] > 0.0;
         let steps = (1..n).find(|k| !same(*k)).filter(|_| periodic)?;
-        // The sign changed between the samples `steps` and `steps − 1` before sample `i`.
+        // The sign of the velocity changed between the samples `steps` and `steps − 1` before sample `i`. Interpolate the time of the zero
+        // linearly.
         let (old, new) = (velocity[(i + n - steps) % n].abs(), velocity[(i + n - steps + 1) % n].abs());
         Some(step * (steps as f64 - 1.0 + new / (old + new).max(f64::MIN_POSITIVE)))
     };
@@ -88,8 +89,8 @@ struct Bin {
     noise: f64,
 }
 
-/// Averages three quantities over bins of a fourth quantity. The bins have equal widths on the scale of the axis. Bins with too few samples
-/// are omitted.
+/// Averages the three quantities `of` a sample over bins of the quantity `over`. The bins have equal widths on the scale of the axis.
+/// Returns center and means of each bin, without bins of fewer than [`FEWEST`] samples.
 fn binned(
     samples: &[Sample],
     bins: usize,
@@ -141,7 +142,7 @@ fn draw([title, y]: [&str; 2], x: Axis, means: &[(f64, [f64; 3])], noise: bool, 
     Plane { title: title.into(), x, y: Axis::around(y, values), series }.draw(words)
 }
 
-/// Draws the root mean square residual over velocity.
+/// Draws the root mean square residual over velocity, before and after the improvement, with the noise.
 pub fn size_over_velocity(samples: &[Sample], words: &Words) -> String {
     let axis = velocity_axis(samples, words);
     let squares = |s: &Sample| [s.before, s.after, s.noise].map(|v| v * v);
@@ -165,7 +166,7 @@ pub fn mean_over_velocity(samples: &[Sample], speeding_up: bool, words: &Words) 
 pub fn mean_since_reversal(samples: &[Sample], words: &Words) -> Option<String> {
     let times = || samples.iter().filter_map(|s| s.since_reversal).filter(|t| *t > 0.0).map(|t| 1e3 * t);
     let (low, high) = times().fold((f64::MAX, f64::MIN), |(l, h), t| (l.min(t), h.max(t)));
-    // The axis begins at 0.1 ms or later, because even the fastest tests have no samples closer to the reversal.
+    // The time axis begins at 0.1 ms or later, because even the fastest tests have no samples closer to the reversal.
     let low = low.max(0.1);
     if low * 1.001 >= high {
         return None;
@@ -187,7 +188,7 @@ mod tests {
     fn samples_know_when_the_motion_turned() {
         let all = samples(&[outcome("a", false)]);
         assert_eq!(all.len(), 100);
-        // One cycle takes 1 s; the velocity changes sign at a quarter and at three quarters.
+        // One cycle takes 1 s; the velocity changes sign at 0.25 s and 0.75 s.
         for (i, sample) in all.iter().enumerate() {
             let time = (i as f64 + 0.5) / 100.0;
             let since = (time + 0.25).rem_euclid(0.5);

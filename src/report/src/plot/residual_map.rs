@@ -11,10 +11,10 @@ use crate::words::Words;
 const CELLS: [usize; 2] = [36, 24];
 /// Size of one map, px.
 const MAP: [f64; 2] = [396.0, 288.0];
-/// Fraction of the cells before the improvement whose residual lies within the color scale.
+/// Smallest fraction of the cells of the map before the improvement whose residual lies within the color scale.
 const WITHIN: f64 = 0.97;
 
-/// Draws both maps side by side. Returns `None` without samples.
+/// Draws the maps of the mean residual before and after the improvement side by side. Returns `None` without samples.
 pub fn maps(samples: &[Sample], words: &Words) -> Option<String> {
     if samples.is_empty() {
         return None;
@@ -42,7 +42,8 @@ fn displacement_axis(samples: &[Sample], words: &Words) -> Axis {
     Axis { scale: Scale::Root, ..Axis::exactly(words.axis_displacement, -top, top) }
 }
 
-/// Averages a quantity in every cell, row by row from the lowest displacement. Cells without samples are `None`.
+/// Averages the quantity `of` a sample in every cell of velocity and displacement, row by row from the lowest
+/// displacement. Cells without samples are `None`.
 fn means(samples: &[Sample], axes: &[Axis; 2], of: impl Fn(&Sample) -> f64) -> Vec<Option<f64>> {
     let mut sums = vec![(0.0, 0usize); CELLS[0] * CELLS[1]];
     for sample in samples {
@@ -55,7 +56,7 @@ fn means(samples: &[Sample], axes: &[Axis; 2], of: impl Fn(&Sample) -> f64) -> V
     sums.iter().map(|(sum, count)| (*count > 0).then(|| sum / *count as f64)).collect()
 }
 
-/// Rounds up to 1, 2 or 5 times a power of ten.
+/// Rounds a positive value up to 1, 2 or 5 times a power of ten, at least 0.001.
 fn round_up(value: f64) -> f64 {
     let decade = libm::pow(10f64, libm::log10(value.max(1e-3)).floor());
     [1.0, 2.0, 5.0, 10.0].into_iter().map(|f| f * decade).find(|v| *v >= 0.999 * value).unwrap_or(value)
@@ -102,7 +103,7 @@ fn map(svg: &mut Svg, corner: [f64; 2], name: &str, axes: &[Axis; 2], cells: &[O
     svg.text([left - 42.0, 0.5 * (top + bottom)], &axes[1].label, turned);
 }
 
-/// Draws the color scale.
+/// Draws the color scale with its upper left corner at `corner`, px, and its ends at −`end` and `end`, N.
 fn bar(svg: &mut Svg, corner: [f64; 2], end: f64, words: &Words) {
     const STEPS: usize = 48;
     let tall = MAP[1] / STEPS as f64;
@@ -132,7 +133,8 @@ mod tests {
     fn both_maps_share_one_scale_and_the_smaller_rest_is_paler() {
         let all = samples(&[outcome("a", false)]);
         let text = maps(&all, &EN).unwrap();
-        // The largest residual before, 20 N, is the end of the scale. The residual after, 1 N, is a twentieth of it.
+        // The largest residual before the improvement, 20 N, is the end of the color scale. The residual after it, 1 N,
+        // is a twentieth of the scale.
         let count = |place: f64| text.matches(&signed(place)).count();
         assert!(count(1.0) > 10 && count(-1.0) > 10, "{} {}", count(1.0), count(-1.0));
         assert!(count(0.05) > 10 && count(-0.05) > 10);

@@ -21,12 +21,13 @@ pub struct Thinned {
 /// Thins a path (Douglas & Peucker 1973) without a visible change.
 ///
 /// Points closer together than 0.2 px merge. Points within 0.2 px of the line between remaining points are removed. If more than `limit`
-/// points remain, as in a noisy measurement, the tolerance increases until the path fits. The result then has `rough` set.
+/// points remain, as in a noisy measurement, the tolerance of 0.2 px increases until the path fits. If it exceeds 1 px, the result has
+/// `rough` set.
 pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     let mut near = INVISIBLE;
     let mut merged = merge(path, near);
-    // A path with so many points is noise on the scale of pixels. Points are merged at larger distances, because that limits the work of
-    // the next step.
+    // A path with more than 50 times `limit` points is noise on the scale of pixels. Its points are merged at larger distances, because
+    // that limits the work of [`strays`].
     while merged.len() > 50 * limit.max(2) {
         near *= 1.5;
         merged = merge(path, near);
@@ -40,7 +41,7 @@ pub fn simplify(path: &[Point], limit: usize) -> Thinned {
     Thinned { points: kept.collect(), rough: tolerance > ROUGH }
 }
 
-/// Removes points closer than `near` to the preceding remaining point. Keeps both ends.
+/// Removes points closer than `near`, px, to the preceding remaining point. Keeps both ends of the path.
 fn merge(path: &[Point], near: f64) -> Vec<Point> {
     let mut kept: Vec<Point> = Vec::with_capacity(path.len().min(4096));
     for (i, point) in path.iter().enumerate() {
@@ -52,9 +53,9 @@ fn merge(path: &[Point], near: f64) -> Vec<Point> {
     kept
 }
 
-/// Returns for each point the largest tolerance, px, at which it remains. The ends always remain. Another point remains if its distance
-/// from the line between remaining points exceeds the tolerance. The farthest point does not depend on the tolerance, so one pass serves
-/// all tolerances.
+/// Returns for each point of a path the largest tolerance, px, at which thinning keeps it. The ends always remain. Another point remains if
+/// its distance from the line between remaining points exceeds the tolerance. The farthest point does not depend on the tolerance, so one
+/// pass serves all tolerances.
 fn strays(path: &[Point]) -> Vec<f64> {
     let mut strays = vec![0.0; path.len()];
     let mut open = Vec::new();

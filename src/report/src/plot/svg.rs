@@ -5,32 +5,32 @@ use super::simplify::{Point, Thinned, simplify};
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
 
-/// Largest width of a noisy line, px.
+/// Largest stroke width, px, of a noisy line (a line with [`Thinned::rough`] set).
 const NOISY: f64 = 0.6;
 
 /// Alignment of a text.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Anchor {
-    /// The text starts at the point.
+    /// The text starts at its reference point.
     Start,
-    /// The text is centered on the point.
+    /// The text is centered on its reference point.
     Middle,
-    /// The text ends at the point.
+    /// The text ends at its reference point.
     End,
 }
 
 /// Style of a text.
 #[derive(Debug, Clone, Copy)]
 pub struct TextStyle {
-    /// Size, px.
+    /// Font size, px.
     pub size: f64,
     /// Alignment of the text at its point.
     pub anchor: Anchor,
-    /// Rotation about the point, degrees clockwise.
+    /// Rotation of the text about its reference point, degrees clockwise.
     pub turn: f64,
     /// Whether the text is bold.
     pub bold: bool,
-    /// Whether the text is secondary.
+    /// Whether the text is secondary, such as a tick label, and drawn in a paler color.
     pub faint: bool,
 }
 
@@ -46,7 +46,7 @@ impl TextStyle {
     }
 }
 
-/// An SVG document being written.
+/// An SVG document under construction.
 #[derive(Debug)]
 pub struct Svg {
     body: String,
@@ -113,7 +113,8 @@ impl Svg {
         self.body.push_str("</g>");
     }
 
-    /// Draws round points of a role that keep their size when the page zooms. They are zero-length lines with round ends.
+    /// Draws round points of a role with a radius in px. They are zero-length lines with round ends, which keep their size when the reader
+    /// zooms.
     pub fn points(&mut self, role: Role, at: &[Point], radius: f64) {
         if at.is_empty() {
             return;
@@ -148,8 +149,8 @@ impl Svg {
         let _ = write!(self.body, " d=\"{}\"/>", path_data(&points));
     }
 
-    /// Draws the area that lines of a role cover, as small squares. For lines with hundreds of self-intersections, the file size then
-    /// depends only on this area, and thinning is not needed.
+    /// Draws the area that lines of a role cover, as small squares of the edge length `square`, px. For lines with hundreds of
+    /// self-intersections, the file size then depends only on this area, and thinning is not needed.
     pub fn trace(&mut self, role: Role, lines: &[Vec<Point>], square: f64) {
         let bars = bars(lines, square);
         if bars.is_empty() {
@@ -310,7 +311,8 @@ impl Svg {
     }
 }
 
-/// Returns the squares that lines cross, merged to bars: row, first column, column after the last.
+/// Returns the squares of the edge length `square`, px, that lines cross. Adjacent squares of a row are merged to a bar: row, first column,
+/// column after the last.
 fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
     let mut passed = BTreeSet::new();
     for line in lines {
@@ -318,7 +320,7 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
         for point in line {
             let [x, y] = point.map(|p| p / square);
             let [from_x, from_y] = last.unwrap_or([x, y]);
-            // Steps of at most half a square leave no gap.
+            // Points at most half a square apart on the segment leave no gap between the marked squares.
             let parts = (2.0 * (x - from_x).abs().max((y - from_y).abs())).ceil().max(1.0);
             for k in 0..=parts as u32 {
                 let part = f64::from(k) / parts;
@@ -338,8 +340,8 @@ fn bars(lines: &[Vec<Point>], square: f64) -> Vec<(i64, i64, i64)> {
     bars
 }
 
-/// Writes path data through points to a tenth of a pixel. Relative steps make the data shorter. Each step starts from the rounded position,
-/// so that rounding errors do not accumulate.
+/// Formats SVG path data through points, rounded to a tenth of a pixel. Relative steps make the data shorter. Each step starts from the
+/// rounded position, so that rounding errors do not accumulate.
 fn path_data(points: &[Point]) -> String {
     let tenths = |value: f64| (value * 10.0).round() as i64;
     let mut data = String::with_capacity(8 * points.len());

@@ -44,7 +44,7 @@ impl Ticks {
         Self { at }
     }
 
-    /// Returns about `wanted` ticks of an axis with a square-root scale.
+    /// Returns about `wanted` ticks of an axis from `low` to `high` with a signed square-root scale.
     ///
     /// The ticks are zero and round values on both sides of it, with space for the labels.
     pub fn root(low: f64, high: f64, wanted: usize) -> Self {

@@ -28,7 +28,8 @@ fn read(code: &'static str, source: &str) -> Words {
     Words::read(catalog, code, catalog)
 }
 
-/// Texts for the terminal: English, with identifiers instead of names and with the ASCII minus sign, because scripts read them.
+/// Texts for the terminal: English, with identifiers instead of names and with the ASCII minus sign, because scripts read the terminal
+/// output.
 pub static TERMINAL: LazyLock<Words> = LazyLock::new(|| Words { code: TERMINAL_CODE, ..*EN });
 const TERMINAL_CODE: &str = "terminal";
 
@@ -81,7 +82,7 @@ impl Words {
         let is_digit = |k: Option<usize>| k.and_then(|k| letters.get(k)).is_some_and(char::is_ascii_digit);
         let written = letters.iter().enumerate().map(|(k, letter)| match letter {
             '.' if is_digit(k.checked_sub(1)) && is_digit(Some(k + 1)) => self.decimal_sign.to_owned(),
-            // Texts use the minus sign of the figures, U+2212, except in the terminal.
+            // Texts use the typographic minus sign, U+2212, as the plotted figures do, except in the terminal.
             '-' if self.code != TERMINAL_CODE
                 && is_digit(Some(k + 1))
                 && (k == 0 || letters[k - 1].is_whitespace()) =>
@@ -99,7 +100,7 @@ impl Words {
         self.fill_from(self.catalog, message, figures)
     }
 
-    /// Formats a message from another catalog of this language, with the arguments formatted as in [`Words::fill`].
+    /// Formats a message from `catalog`, another catalog of this language, with the arguments formatted as in [`Words::fill`].
     pub fn fill_from(&self, catalog: &Catalog, message: Message, figures: &[(&str, &str)]) -> String {
         let figures: Vec<(&str, String)> =
             figures.iter().map(|(place, value)| (*place, self.at_place(place, value))).collect();
@@ -147,8 +148,8 @@ pub(crate) mod tests {
         FILES.map(|(name, source)| (name, file::read(source)))
     }
 
-    /// Returns the id of every message that the code uses from a Fluent file, with the arguments. The English file needs no messages of
-    /// other crates, because their code contains the English text.
+    /// Returns the id of every message that the code uses from a Fluent file, with the names of its arguments. The English file needs no
+    /// messages of other crates, because their code contains the English text.
     fn used(is_english: bool) -> BTreeMap<String, BTreeSet<String>> {
         let of_pages = Words::MESSAGES.iter().map(|(id, arguments)| (id.to_string(), *arguments));
         let of_pages = of_pages.map(|(id, arguments)| (id, arguments.iter().map(ToString::to_string).collect()));
@@ -185,7 +186,8 @@ pub(crate) mod tests {
 
     #[test]
     fn titles_of_axes_end_with_their_unit() {
-        // The script that shows values in a figure reads the name and the unit of an axis from its title.
+        // The script of the HTML page shows values under the cursor. It reads the name and the unit of an axis from its title, separated by
+        // a comma.
         for (name, entries) in entries() {
             for Entry { id, text, .. } in entries.into_iter().filter(|entry| entry.id.starts_with("axis-")) {
                 assert!(text.contains(", "), "{name}: {id} is {text:?}");

@@ -1,5 +1,5 @@
 //! Names and meanings of effects, elements, parameters and their choices. Model files, `--help` and outputs for scripts contain
-//! identifiers. A sentence for people contains names instead, with the identifier in brackets at its first occurrence.
+//! identifiers. A sentence for people contains names instead, with the identifier in brackets at the first occurrence.
 //!
 //! The English meanings are in the code of the kernel and the diagnosis. The Fluent files of the other languages contain the translations.
 
@@ -9,7 +9,7 @@ use std::borrow::Cow;
 
 /// Names of message arguments whose value is never taken for the identifier of an effect or a parameter.
 ///
-/// The name of a test or a file may look like an identifier. Values that a command accepts are listed as users type them.
+/// The name of a test or a file may look like an identifier. Values that a command accepts stay as users type them.
 const OTHER: &[&str] =
     &["at", "column", "file", "folder", "found", "known", "option", "record", "test", "tests", "text", "twin", "unit"];
 

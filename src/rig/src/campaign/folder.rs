@@ -1,4 +1,4 @@
-//! A campaign on disk: one CSV record per test and a description.
+//! A campaign on disk: one CSV record per test, and a description of the campaign in TOML.
 
 use std::collections::BTreeSet;
 use std::fs;
@@ -13,16 +13,17 @@ use crate::RigError;
 use crate::files::{read_text, write_file};
 use crate::hidden_case::SEALED_FOLDER;
 
-/// File name of the description, which identifies a folder as a campaign.
+/// File name of a campaign's description, which identifies a folder as a campaign.
 pub const CAMPAIGN_FILE: &str = "campaign.toml";
 /// Value of `format`, the first entry of [`CAMPAIGN_FILE`].
 const FORMAT: &str = "dashpot rig campaign 1";
-/// Folder in which records are written before they move to their final folder.
+/// Subfolder in which records are written before they move to the campaign's folder.
 const UNFINISHED: &str = ".unfinished-campaign";
 
 /// Contents of [`CAMPAIGN_FILE`]: the execution of the campaign, without parameters of the damper.
 ///
-/// The seed, which determines these parameters, is omitted if the truth is sealed.
+/// The seed determines the parameters of the damper. It is omitted if the truth (true damper and effects) is in a
+/// sealed folder.
 #[derive(Debug, Serialize, Deserialize)]
 struct Description {
     format: String,
@@ -50,10 +51,10 @@ struct Test {
 impl Campaign {
     /// Writes the campaign into a folder, which is created if it is missing.
     ///
-    /// It writes `<test>.csv` for every test. The header is `time_s,displacement_m,velocity_m_s,force_N`, followed by
+    /// Every test gives a file `<test>.csv`. The header is `time_s,displacement_m,velocity_m_s,force_N`, followed by
     /// `side_force_N` and `temperature_C` if these channels are recorded. `campaign.toml` describes the execution of
-    /// the campaign. The new campaign replaces an earlier campaign in the folder and its sealed truth. Records are
-    /// first written to a separate folder, so a failure leaves no incomplete record.
+    /// the campaign. The new campaign replaces an earlier campaign in the folder and its sealed truth (the true damper
+    /// and effects). Records are first written to a separate folder, so a failure leaves no incomplete record.
     ///
     /// # Errors
     /// [`RigError::Folder`] if the folder is not empty and contains no earlier campaign, or if it contains a CSV file
@@ -64,7 +65,7 @@ impl Campaign {
         fs::create_dir_all(folder).map_err(RigError::io("make the folder", folder))?;
         let aside = folder.join(UNFINISHED);
         remove_folder(&aside)?;
-        // The truth of an earlier campaign does not apply to the new campaign.
+        // The sealed truth (true damper and effects) of an earlier campaign does not apply to the new campaign.
         remove_folder(&folder.join(SEALED_FOLDER))?;
         fs::create_dir(&aside).map_err(RigError::io("make the folder", &aside))?;
         let outcome = self.write_by_way_of(folder, &aside, &earlier);
@@ -82,8 +83,8 @@ impl Campaign {
             .collect();
         written.into_iter().collect::<Result<(), _>>()?;
 
-        // Remove records that the new campaign does not contain, and replace the description before the records. So the
-        // description lists every record in the folder, even after a failure.
+        // Remove records that the new campaign does not contain, and replace the description before the records. So,
+        // even after a failure, the description lists every record in the folder.
         for file in earlier.iter().filter(|file| !files.contains(file)) {
             let path = folder.join(file);
             match fs::remove_file(&path) {
@@ -114,7 +115,8 @@ impl Campaign {
         if self.records.iter().any(|record| record.temperature_c.is_some()) {
             channels.push("temperature_C");
         }
-        // Six decimals of a millimeter are a nanometer. Further decimals would only show the binary representation.
+        // Six decimals of a millimeter are a nanometer. Further decimals would only show the rounding error of the
+        // binary representation.
         let tidy = |value: f64| (value * 1e6).round() / 1e6;
         Description {
             format: FORMAT.into(),
@@ -146,7 +148,8 @@ impl Record {
         format!("{}.csv", self.point.name)
     }
 
-    /// Writes the record. The resolution of the decimals is at most a tenth of the sensor noise.
+    /// Writes the record as CSV. In every channel except time, the last decimal is at most a tenth of the default
+    /// sensor noise.
     fn write_csv(&self, out: &mut dyn Write) -> io::Result<()> {
         let side = self.side_force_n.as_deref();
         let temperature = self.temperature_c.as_deref();
@@ -169,7 +172,8 @@ impl Record {
 
 /// Lists the records of the earlier campaign in the folder. The list is empty if the folder is empty or missing.
 ///
-/// Returns an error if the folder is not empty and contains no earlier campaign, or contains another CSV file.
+/// Returns an error if a non-empty folder contains no earlier campaign, or contains a CSV file that is no record of
+/// that campaign.
 fn earlier_records(folder: &Path) -> Result<BTreeSet<String>, RigError> {
     let entries = match fs::read_dir(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(BTreeSet::new()),
@@ -291,7 +295,8 @@ mod tests {
     fn earlier_campaign_is_replaced_without_leftovers() {
         let folder = tempfile::tempdir().unwrap();
         campaign(&matrix(vec![0.01, 0.02]), 2).write(folder.path()).unwrap();
-        // Make the files of an interrupted run and a user's notes.
+        // Make the files of an interrupted earlier run, which the next run must remove, and a user's notes, which it
+        // must keep.
         fs::create_dir(folder.path().join(UNFINISHED)).unwrap();
         fs::write(folder.path().join(UNFINISHED).join("x.csv"), "half").unwrap();
         fs::write(folder.path().join("notes.txt"), "kept").unwrap();

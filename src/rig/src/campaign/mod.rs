@@ -1,4 +1,4 @@
-//! A campaign: the tests of a matrix on one damper, and the measured records.
+//! A campaign: the tests of a test matrix on one simulated damper, and the records of their virtual measurement.
 
 mod folder;
 mod run;
@@ -15,29 +15,30 @@ use crate::TestPoint;
 pub struct Options {
     /// Seed of the damper ([`crate::Damper::seeded`]; 0 is the default damper) and of the noise. Up to 2^63 - 1.
     pub seed: u64,
-    /// Noise of the load cell: standard deviation in percent of the test's rms force. Amplifier noise of 0.5 N is
-    /// added.
+    /// Noise of the load cell: standard deviation in percent of the test's rms force. Amplifier noise with a standard
+    /// deviation of 0.5 N is added.
     ///
-    /// The other channels have the noise of their sensors: displacement 2 µm, velocity 0.1 % of the test's peak
-    /// velocity, side force 0.5 N. If this value is 0, all sensors are ideal.
+    /// The noise of the other channels has these standard deviations: displacement 2 µm, velocity 0.1 % of the test's
+    /// peak velocity, side force 0.5 N. If `noise_percent` is 0, all sensors are ideal.
     pub noise_percent: f64,
-    /// Samples per second of every test, Hz; `None` selects the rate from the frequency ([`default_sample_rate_hz`]).
+    /// Sample rate of every test, Hz. `None` selects the rate of each test from its frequency
+    /// ([`default_sample_rate_hz`]).
     pub sample_rate_hz: Option<f64>,
-    /// Color of the load cell's noise: correlation between successive samples (first-order autoregressive), 0 for white
-    /// noise. The standard deviation does not depend on the correlation.
+    /// Correlation between successive samples of the load cell's noise (first-order autoregressive), 0 for white noise.
+    /// The standard deviation of the noise does not depend on the correlation.
     pub noise_colour: f64,
     /// Amplitude of mains hum (50 Hz) on the force, N.
     pub hum_n: f64,
-    /// Number of bits of the force channel's converter. Its range is the smallest standard range above the campaign's
-    /// largest force. `None` means no rounding.
+    /// Number of bits of the force channel's analog-to-digital converter. Its range is the smallest standard range
+    /// above the campaign's largest force. `None` means no rounding.
     pub bits: Option<u32>,
     /// Whether the side force is recorded in tests with side force.
     pub side_force_channel: bool,
-    /// Whether the temperature of the damper's body is recorded. Only campaigns with injected effects support this
-    /// channel.
+    /// Whether the temperature of the damper's body is recorded. Only campaigns of a case with injected effects support
+    /// this channel.
     pub temperature_channel: bool,
-    /// Initial temperature of the damper, °C; `None` means the laboratory temperature. Only campaigns with injected
-    /// effects use this value.
+    /// Initial temperature of the damper, °C; `None` means the laboratory temperature of 22 °C. Only campaigns of a
+    /// case with injected effects use this value.
     pub start_temperature_c: Option<f64>,
     /// Seed that shuffles the order of a plan's tests; `None` uses `seed`.
     pub order: Option<u64>,
@@ -68,24 +69,24 @@ impl Default for Options {
 pub struct Campaign {
     /// Options of the run.
     pub options: Options,
-    /// One record per test, in the order of the matrix.
+    /// One record per test, in the order of the test matrix.
     pub records: Vec<Record>,
-    /// Whether `campaign.toml` omits the seed, because the truth is sealed.
+    /// Whether `campaign.toml` omits the seed, because the truth (true damper and effects) is in a sealed folder.
     pub sealed: bool,
 }
 
 /// Measured channels of one test, from standstill to standstill. All channels have the same length.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Record {
-    /// The test.
+    /// Motion and name of the test.
     pub point: TestPoint,
     /// Samples per second, Hz.
     pub sample_rate_hz: f64,
-    /// Time, s: since the start of the record, or on the campaign's clock in an injected case.
+    /// Time, s: since the start of the record, or, in a case with injected effects, since the start of the campaign.
     pub time_s: Vec<f64>,
-    /// Extension from mid-stroke, m.
+    /// Displacement from mid-stroke, m, positive in extension.
     pub displacement_m: Vec<f64>,
-    /// Rate of extension, m/s.
+    /// Velocity, m/s, positive in extension (rebound).
     pub velocity_m_s: Vec<f64>,
     /// Force, tension positive, N.
     pub force_n: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Execution of the tests of a matrix on one damper, with checks of the options.
+//! Execution of the tests of a test matrix on one damper, with checks of the options.
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
@@ -23,7 +23,7 @@ pub const LOWEST_DEFAULT_RATE_HZ: f64 = 20.0;
 const RATES_HZ: [f64; 13] = [20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0, 1000.0];
 /// Lowest and highest accepted sample rate, Hz.
 const RATE_RANGE_HZ: (f64, f64) = (1.0, 20_000.0);
-/// Largest accepted number of samples of a record. A longer record indicates an error in the options.
+/// Largest accepted number of samples of a record. A longer record indicates a mistake in the options.
 const LONGEST_RECORD: f64 = 5e6;
 /// Smallest accepted number of samples per cycle. With fewer samples a record does not represent a sine.
 const LEAST_PER_CYCLE: f64 = 8.0;
@@ -34,22 +34,23 @@ const NOISE_LIMIT_PERCENT: f64 = 100.0;
 const COLOUR_LIMIT: f64 = 0.99;
 /// Largest accepted amplitude of mains hum, N.
 const HUM_LIMIT_N: f64 = 1000.0;
-/// Accepted numbers of bits of the force channel's converter.
+/// Accepted numbers of bits of the force channel's analog-to-digital converter.
 const BITS: std::ops::RangeInclusive<u32> = 8..=24;
 /// Accepted initial temperatures of a damper, °C.
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
 /// Returns the default sample rate, Hz, for a test.
 ///
-/// The rate gives 400 samples per cycle, and is rounded up to a common rate within 20 to 1000 Hz. The lower limit lets
-/// a slow test resolve the break-away, and the upper limit is the rate of a common logger.
+/// The rate gives at least 400 samples per cycle, because it is rounded up to a common rate within 20 to 1000 Hz. Above
+/// 2.5 Hz, the upper limit gives fewer samples. The lower limit lets a slow test resolve the break-away of friction,
+/// and the upper limit is the rate of a common data logger.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
     RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)
 }
 
 impl Campaign {
-    /// Runs all tests of the matrix on the damper of the seed.
+    /// Runs all tests of the test matrix on the damper of the seed in `options`.
     ///
     /// After each test, `progress` is called with the numbers of completed tests and of all tests, from any thread and
     /// in any order. The result does not depend on the order of the tests and the number of threads.
@@ -60,7 +61,7 @@ impl Campaign {
         Self::run_on(&Damper::seeded(options.seed), matrix, options, progress)
     }
 
-    /// Runs all tests like [`Campaign::run`], on a given damper. The seed then determines only the noise.
+    /// Runs all tests of the test matrix on a given damper. The seed in `options` then determines only the noise.
     ///
     /// # Errors
     /// Returns the errors of [`Campaign::run`].
@@ -165,7 +166,7 @@ pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> 
     Ok(())
 }
 
-/// Measures one test, from standstill to standstill.
+/// Simulates the record of one test, from standstill to standstill, without noise.
 fn measure(damper: &Damper, point: &TestPoint, options: &Options, with_side_force: bool) -> Result<Record, RigError> {
     let drive = Drive::new(point);
     let excitation = |time: f64| {

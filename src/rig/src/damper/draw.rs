@@ -8,14 +8,15 @@ use rand_distr::{Distribution, StandardNormal};
 
 use super::{ATMOSPHERE_PA, Damper};
 
-/// Highest velocity of the tests of `Matrix::thesis` (50 mm at 5 Hz), m/s.
+/// Highest velocity of the tests of `Matrix::thesis`, m/s: a sine of 50 mm amplitude at 5 Hz.
 ///
 /// The forces of a drawn damper must be plausible at this velocity.
 const TOP_VELOCITY_M_S: f64 = TAU * 0.05 * 5.0;
-/// Smallest plausible absolute pressure in the rebound chamber in compression, Pa: a healthy damper does not cavitate.
+/// Smallest plausible absolute pressure in the rebound chamber during compression, Pa. At lower pressures, the damper
+/// could cavitate.
 const LEAST_PRESSURE_PA: f64 = 4.0e5;
 
-/// Draws the damper of a seed. Seed 0 gives the default damper.
+/// Draws random parameters of a damper from a seed until they are plausible. Seed 0 gives the default damper.
 pub(super) fn damper(seed: u64) -> Damper {
     if seed == 0 {
         return Damper::default();

@@ -4,11 +4,11 @@
 /// compression chamber.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GasChamber {
-    /// Absolute pressure at mid-stroke in equilibrium, Pa.
+    /// Absolute gas pressure at mid-stroke in equilibrium, Pa.
     pub pressure_pa: f64,
-    /// Volume at mid-stroke in equilibrium, m³.
+    /// Gas volume at mid-stroke in equilibrium, m³.
     pub volume_m3: f64,
-    /// Polytropic exponent: 1 isothermal, 1.4 adiabatic.
+    /// Polytropic exponent of the gas: 1 isothermal, 1.4 adiabatic.
     pub exponent: f64,
 }
 
@@ -19,12 +19,13 @@ impl Default for GasChamber {
 }
 
 impl GasChamber {
-    /// Returns the volume at an absolute pressure, m³.
+    /// Returns the gas volume, m³, at an absolute pressure, Pa.
     pub fn volume_at(&self, pressure_pa: f64) -> f64 {
         self.volume_m3 * libm::pow(self.pressure_pa / pressure_pa.max(1.0), 1.0 / self.exponent)
     }
 
-    /// Returns the decrease of volume per pressure, m³/Pa, at a pressure and its volume.
+    /// Returns the decrease of the gas volume per increase of pressure, m³/Pa, at an absolute pressure and the gas
+    /// volume at this pressure.
     pub fn compliance(&self, pressure_pa: f64, volume_m3: f64) -> f64 {
         volume_m3 / (self.exponent * pressure_pa.max(1.0))
     }

@@ -36,10 +36,10 @@ pub const ATMOSPHERE_PA: f64 = 101_325.0;
 
 /// A monotube damper, by its physical parameters.
 ///
-/// The default is a damper of about 3500 N in rebound and 1800 N in compression at 1.57 m/s.
+/// The default damper has a force of about 3500 N in rebound and 1800 N in compression at 1.57 m/s.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Damper {
-    /// Bore, rod and chambers.
+    /// Dimensions of bore, rod and oil chambers.
     pub tube: Tube,
     /// The oil with its entrained air.
     pub oil: Oil,
@@ -74,9 +74,8 @@ impl Damper {
         draw::damper(seed)
     }
 
-    /// Returns the force on the rod in steady oil flow at mid-stroke, without compressibility: gas, valves and sliding
-    /// seal, N.
-    /// In long, slow strokes, the force approaches this value.
+    /// Returns the force on the rod, N, in steady oil flow at mid-stroke: gas, valves and sliding seal, without
+    /// compressibility. In long, slow strokes, the force of the simulated damper approaches this value.
     pub fn steady_force_n(&self, velocity_m_s: f64) -> f64 {
         let area = self.tube.annulus_m2();
         let drop = self.valves.pressure_drop_pa(area * velocity_m_s, self.oil.density_kg_m3);

@@ -3,45 +3,46 @@
 use super::{ATMOSPHERE_PA, Damper};
 use crate::solver::Tolerance;
 
-/// Number of states.
+/// Number of states of the damper.
 pub const STATES: usize = 5;
 /// State vector. The constants from [`REBOUND`] to [`MOUNT_RATE`] are its indices.
 pub type State = [f64; STATES];
 
-/// Absolute pressure in the rebound chamber, Pa.
+/// Index of the absolute pressure in the rebound chamber, Pa.
 const REBOUND: usize = 0;
-/// Absolute pressure in the compression chamber and the gas, Pa.
+/// Index of the absolute pressure in the compression chamber and the gas, Pa.
 const COMPRESSION: usize = 1;
-/// Deflection of the seal's bristles, m.
+/// Index of the deflection of the seal's bristles (friction model), m.
 const BRISTLE: usize = 2;
-/// Deflection of the mount, in the direction of extension, m.
+/// Index of the deflection of the mount, positive in extension, m.
 const MOUNT: usize = 3;
-/// Rate of the mount's deflection, m/s.
+/// Index of the rate of the mount's deflection, m/s.
 const MOUNT_RATE: usize = 4;
 
 /// Motion and side force that the rig imposes at one instant.
 #[derive(Debug, Clone, Copy)]
 pub struct Excitation {
-    /// Extension from mid-stroke, m.
+    /// Displacement that the actuator imposes, from mid-stroke, m, positive in extension.
     pub displacement_m: f64,
-    /// Rate of extension, m/s.
+    /// Velocity, m/s, positive in extension.
     pub velocity_m_s: f64,
     /// Side force on the rod, N.
     pub side_force_n: f64,
 }
 
 impl Damper {
-    /// Returns the solver's tolerance per step: 2e-7 of each state, plus an absolute tolerance equivalent to a
-    /// thousandth of a newton.
+    /// Returns the solver's error tolerance per step: 2e-7 of each state, plus an absolute tolerance that corresponds
+    /// to about 1 mN of force.
     pub(crate) fn tolerance() -> Tolerance<STATES> {
         Tolerance { absolute: [1.0, 1.0, 2e-9, 1e-10, 5e-7], relative: 2e-7 }
     }
 
-    /// Computes the derivatives of all states.
+    /// Computes the time derivatives of all states: Pa/s, m/s, m/s².
     pub(crate) fn rates(&self, state: &State, input: &Excitation) -> State {
         let Chambers { rebound, compression, velocity } = self.chambers(state, input);
         let flow = self.valves.flow_m3_s(state[REBOUND] - state[COMPRESSION], self.oil.density_kg_m3);
-        // The flow has the density of its source chamber. The mass, not the volume, is conserved.
+        // The oil flow through the piston has the density of its source chamber. Its mass, not its volume, is
+        // conserved.
         let (out_of_rebound, into_compression) = if flow > 0.0 {
             (flow, flow * compression.specific_volume / rebound.specific_volume)
         } else {
@@ -68,8 +69,8 @@ impl Damper {
         }
     }
 
-    /// Computes the equilibrium at a displacement: equal pressures, unloaded bristles, and the oil mass that the damper
-    /// has at mid-stroke.
+    /// Computes the state of equilibrium at a displacement, m: equal pressures, unloaded bristles, and the oil mass
+    /// that the damper has at mid-stroke.
     pub(crate) fn at_rest(&self, displacement_m: f64) -> State {
         let filled = self.oil_volume(&self.level_state(self.gas.pressure_pa), 0.0);
         let (mut low, mut high) = (1e3, 1e9);
@@ -85,7 +86,8 @@ impl Damper {
         self.level_state(0.5 * (low + high))
     }
 
-    /// Makes a state with equal pressures, the mount in equilibrium, and zero for all other states.
+    /// Makes a state with the absolute pressure `pressure_pa` in both chambers, the mount in equilibrium, and zero for
+    /// all other states.
     fn level_state(&self, pressure_pa: f64) -> State {
         let mut state = [pressure_pa, pressure_pa, 0.0, 0.0, 0.0];
         if let Some(mount) = &self.mount {
@@ -94,7 +96,7 @@ impl Damper {
         state
     }
 
-    /// Computes the force of pressures and seal on the rod, N.
+    /// Computes the force of chamber pressures, atmosphere and seal on the rod, N, tension positive.
     fn rod_force_n(&self, state: &State) -> f64 {
         state[REBOUND] * self.tube.annulus_m2() - state[COMPRESSION] * self.tube.piston_m2()
             + ATMOSPHERE_PA * self.tube.rod_area_m2()
@@ -139,13 +141,13 @@ impl Damper {
 
 /// State of one chamber at one instant.
 struct Chamber {
-    /// Volume of oil, m³.
+    /// Volume of the chamber, filled with oil, m³.
     volume: f64,
-    /// Specific volume of the oil relative to atmospheric pressure.
+    /// Specific volume of the oil relative to that at atmospheric pressure.
     specific_volume: f64,
-    /// Relative expansion of the tube under pressure.
+    /// Cross-section of the tube relative to that at atmospheric pressure, due to the expansion of its wall.
     dilation: f64,
-    /// Decrease of volume per pressure by oil, tube and gas, m³/Pa.
+    /// Volume that the chamber takes up per increase of pressure, due to oil, tube and gas, m³/Pa.
     compliance: f64,
 }
 
@@ -153,7 +155,7 @@ struct Chamber {
 struct Chambers {
     rebound: Chamber,
     compression: Chamber,
-    /// Velocity of the piston in the tube, m/s.
+    /// Velocity of the piston relative to the tube, m/s, positive in extension.
     velocity: f64,
 }
 
@@ -180,6 +182,7 @@ mod tests {
     }
 
     /// Returns time, input and state over the whole cycles at full amplitude, with `per_cycle` samples in each cycle.
+    /// `sharpen` divides the error tolerances of the integrator.
     fn simulate(damper: &Damper, point: &TestPoint, sharpen: f64, per_cycle: u32) -> Vec<(f64, Excitation, State)> {
         let drive = Drive::new(point);
         let input = |time: f64| {
@@ -217,7 +220,7 @@ mod tests {
             assert!((damper.force_n(&state) + expected).abs() < 1e-6);
         }
         let force = |x| damper.force_n(&damper.at_rest(x));
-        // The gas pushes the rod out, with a larger force in compression.
+        // The gas pushes the rod out, which is compression of the load cell. The deeper the rod, the larger the force.
         assert!(force(-0.05) < force(0.0) && force(0.0) < force(0.05) && force(0.05) < -60.0);
     }
 
@@ -232,8 +235,8 @@ mod tests {
             let (up, down) = (damper.force_n(&up.2), damper.force_n(&down.2));
             (0.5 * (up + down), 0.5 * (up - down))
         };
-        // At mid-stroke the mean is the static gas force. Half the difference is the sliding friction plus the force of
-        // the bleed at 0.4 mm/s.
+        // At mid-stroke, the mean of the forces in rebound and compression is the static gas force. Half their
+        // difference is the sliding friction plus the force of the bleed at 0.4 mm/s.
         let (gas, friction) = mean_and_half(0.0);
         assert!((gas - damper.force_n(&damper.at_rest(0.0))).abs() < 1.0, "{gas}");
         let expected = damper.seal.sliding_force_n(4e-4, 0.0);
@@ -265,7 +268,8 @@ mod tests {
             for (sample, sign) in [(&samples[first], 1.0), (&samples[first + 200], -1.0)] {
                 let steady = damper.steady_force_n(sign * TAU * amplitude * frequency);
                 let force = damper.force_n(&sample.2);
-                // Heating of the gas and compressibility cause a small difference.
+                // The polytropic gas pressure and the compressibility of the oil cause a difference of less than 3 %
+                // from the force in steady flow.
                 assert!((force / steady - 1.0).abs() < 0.03, "{force} against {steady}");
             }
         }
@@ -278,7 +282,7 @@ mod tests {
         let compression = damper.steady_force_n(-TAU * 0.05 * 5.0);
         assert!((3200.0..3800.0).contains(&rebound), "{rebound}");
         assert!((-2000.0..-1600.0).contains(&compression), "{compression}");
-        // The curve has a knee: the slope above 0.2 m/s is a fraction of the slope below 0.06 m/s.
+        // The FV curve has a knee: its slope above 0.2 m/s is less than 0.4 of its slope below 0.06 m/s.
         for sign in [1.0, -1.0] {
             let force = |v: f64| damper.steady_force_n(sign * v).abs();
             let below = (force(0.06) - force(0.02)) / 0.04;
@@ -296,7 +300,8 @@ mod tests {
         let series = 1.0 / (1.0 / oil + 1.0 / damper.mount.unwrap().stiffness_n_m);
         println!("oil column {oil:.3e} N/m, with the mount {series:.3e} N/m");
         assert!((2e6..6e6).contains(&series), "{series}");
-        // The gas prevents a pressure rise in the compression chamber.
+        // The gas keeps the pressure in the compression chamber nearly constant, so this chamber has a much larger
+        // compliance than the rebound chamber.
         assert!(chambers.compression.compliance > 20.0 * chambers.rebound.compliance);
     }
 
@@ -308,13 +313,13 @@ mod tests {
         let filled = damper.oil_volume(&damper.at_rest(0.0), 0.0);
         for (time, _, state) in simulate(&damper, &point, 1.0, 50) {
             let now = damper.oil_volume(&state, drive.motion(time).0);
-            // The gas chamber is sensitive to lost oil: 1e-4 of the oil volume is 0.5 % of the gas volume.
+            // The gas pressure is sensitive to numerical loss of oil, so the tolerance is strict.
             assert!((now / filled - 1.0).abs() < 2e-5, "{}", now / filled - 1.0);
         }
     }
 
-    /// Computes the work on the damper over one cycle of samples, J; the trapezoidal rule is accurate for periodic
-    /// data.
+    /// Computes the work on the damper over one cycle of samples, J. The trapezoidal rule is accurate, because the data
+    /// are periodic.
     fn work(damper: &Damper, cycle: &[(f64, Excitation, State)]) -> f64 {
         integral(cycle, |input, state| damper.force_n(state) * input.velocity_m_s)
     }

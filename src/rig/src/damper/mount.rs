@@ -1,4 +1,4 @@
-//! The elastic mount between rod and load cell: rod end, fixture and the rod itself.
+//! The elastic mount between piston and load cell: the elasticity of rod, rod end and fixture.
 
 /// Elastic mount. The rig moves the tube, so the rod moves only by the deflection of the mount.
 #[derive(Debug, Clone, PartialEq)]
@@ -18,7 +18,7 @@ impl Default for Mount {
 }
 
 impl Mount {
-    /// Computes the force on the load cell, N.
+    /// Computes the force of the mount on the load cell, N, from its deflection, m, and the rate of deflection, m/s.
     pub fn force_n(&self, deflection_m: f64, rate_m_s: f64) -> f64 {
         self.stiffness_n_m * deflection_m + self.damping_n_s_m * rate_m_s
     }

@@ -1,6 +1,6 @@
 //! Compressible oil with entrained air.
 //!
-//! The model conserves mass by construction. The specific volume is an explicit function of pressure, and the bulk
+//! The model conserves the oil mass by construction. The specific volume is an explicit function of pressure. The bulk
 //! modulus follows from its exact derivative (mixture law of Merritt, *Hydraulic Control Systems*, 1967).
 
 use super::ATMOSPHERE_PA;
@@ -12,9 +12,9 @@ pub struct Oil {
     pub density_kg_m3: f64,
     /// Bulk modulus of the oil without air, Pa.
     pub bulk_modulus_pa: f64,
-    /// Fraction of the volume that is free air at atmospheric pressure.
+    /// Fraction of the volume of the mixture that is free air at atmospheric pressure.
     pub air_fraction: f64,
-    /// Polytropic exponent of the bubbles.
+    /// Polytropic exponent of the air bubbles.
     pub air_exponent: f64,
 }
 
@@ -24,21 +24,20 @@ impl Default for Oil {
     }
 }
 
-/// Specific volume and stiffness of the mixture at a pressure.
+/// Specific volume and bulk modulus of the mixture of oil and air at a pressure.
 #[derive(Debug, Clone, Copy)]
 pub struct Compression {
-    /// Specific volume, relative to atmospheric pressure.
+    /// Specific volume of the mixture relative to that at atmospheric pressure.
     pub volume: f64,
     /// Bulk modulus of the mixture, Pa.
     pub modulus_pa: f64,
 }
 
 impl Oil {
-    /// Computes the state of the mixture at an absolute pressure. The stiffness approaches zero at zero pressure, so
-    /// that no chamber reaches a vacuum.
+    /// Computes the state of the mixture of oil and air at an absolute pressure, Pa. The bulk modulus approaches zero
+    /// at zero pressure, so that no chamber reaches a vacuum.
     pub fn compress(&self, pressure_pa: f64) -> Compression {
-        // The solver may evaluate negative pressures. They are treated as 1 Pa, so that the rates increase such a
-        // pressure.
+        // The solver may evaluate negative pressures. They are treated as 1 Pa.
         let pressure = pressure_pa.max(1.0);
         let oil = (1.0 - self.air_fraction) * libm::exp(-(pressure - ATMOSPHERE_PA) / self.bulk_modulus_pa);
         let air = self.air_fraction * libm::pow(ATMOSPHERE_PA / pressure, 1.0 / self.air_exponent);

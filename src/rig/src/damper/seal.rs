@@ -1,9 +1,10 @@
 //! Friction of rod seal and guide: elastic bristles that slip (Canudas de Wit et al., IEEE Trans. Autom. Control 40,
 //! 1995).
 //!
-//! The micro-damping of the paper is omitted, because it would generate energy at high velocity.
+//! The micro-damping term of the paper (bristle damping σ₁) is omitted, because with a constant coefficient it would
+//! generate energy at high velocity.
 
-/// Friction parameters of seal and guide.
+/// Friction parameters of the rod seal and the rod guide.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Seal {
     /// Sliding (Coulomb) friction without side force, N.
@@ -14,7 +15,7 @@ pub struct Seal {
     pub stribeck_m_s: f64,
     /// Stiffness of the bristles, N/m.
     pub bristle_n_m: f64,
-    /// Ratio of the additional friction to the side force.
+    /// Ratio of the additional friction to the magnitude of the side force on the rod.
     pub side_force_ratio: f64,
 }
 
@@ -25,7 +26,7 @@ impl Default for Seal {
 }
 
 impl Seal {
-    /// Computes the magnitude of friction in steady sliding, N.
+    /// Computes the magnitude of friction in steady sliding at a velocity, m/s, under a side force, N.
     fn level_n(&self, velocity_m_s: f64, side_force_n: f64) -> f64 {
         let excess = (self.break_away_n - self.sliding_n) * libm::exp(-(velocity_m_s / self.stribeck_m_s).powi(2));
         self.sliding_n + excess + self.side_force_ratio * side_force_n.abs()
@@ -39,12 +40,13 @@ impl Seal {
         self.level_n(velocity_m_s, side_force_n).copysign(velocity_m_s)
     }
 
-    /// Computes the friction from the bristles' deflection, N.
+    /// Computes the friction force, N, from the bristles' deflection, m.
     pub fn force_n(&self, deflection_m: f64) -> f64 {
         self.bristle_n_m * deflection_m
     }
 
-    /// Computes the rate of the bristles' deflection, m/s.
+    /// Computes the rate of the bristles' deflection, m/s, at a deflection, m, a sliding velocity, m/s, and a side
+    /// force, N.
     pub fn deflection_rate(&self, deflection_m: f64, velocity_m_s: f64, side_force_n: f64) -> f64 {
         let slip = self.force_n(deflection_m) / self.level_n(velocity_m_s, side_force_n);
         velocity_m_s - velocity_m_s.abs() * slip
@@ -71,8 +73,8 @@ mod tests {
     #[test]
     fn never_gives_energy() {
         let seal = Seal::default();
-        // The dissipated power (input power minus stored power) must be at least zero everywhere within the friction
-        // cone.
+        // The dissipated power (input power minus rate of stored energy) must be at least zero for all deflections
+        // within the friction force.
         for i in -50..=50 {
             let deflection = 1e-6 * f64::from(i);
             for velocity in [-1.0, -1e-3, 1e-3, 1.0] {

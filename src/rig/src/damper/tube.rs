@@ -13,8 +13,9 @@ pub struct Tube {
     pub rebound_length_m: f64,
     /// Length of the compression chamber at mid-stroke, m.
     pub compression_length_m: f64,
-    /// Stiffness of the tube wall as a bulk modulus, Pa. For a thin wall it is `E t / (D (5/4 - nu))` with Young's
-    /// modulus E, wall thickness t, diameter D and Poisson's ratio nu.
+    /// Stiffness of the tube wall as a bulk modulus, Pa: pressure divided by the relative increase of volume. For a
+    /// thin wall, it is `E t / (D (5/4 - nu))` with Young's modulus E, wall thickness t, diameter D and Poisson's ratio
+    /// nu.
     pub wall_modulus_pa: f64,
 }
 

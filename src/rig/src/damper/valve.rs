@@ -25,14 +25,15 @@ impl Default for PistonValves {
 }
 
 impl PistonValves {
-    /// Computes the flow from the rebound into the compression chamber for a pressure drop in this direction, m³/s.
+    /// Computes the flow from the rebound into the compression chamber, m³/s, for a pressure drop in this direction,
+    /// Pa.
     pub fn flow_m3_s(&self, drop_pa: f64, density_kg_m3: f64) -> f64 {
         let blow_off = if drop_pa > 0.0 { &self.rebound } else { &self.compression };
         let size = drop_pa.abs();
         (self.bleed.flow(size, density_kg_m3) + blow_off.flow(size, density_kg_m3)).copysign(drop_pa)
     }
 
-    /// Computes the pressure drop of a given flow, Pa: the inverse of [`PistonValves::flow_m3_s`].
+    /// Computes the pressure drop, Pa, of a given flow, m³/s: the inverse of [`PistonValves::flow_m3_s`].
     pub fn pressure_drop_pa(&self, flow_m3_s: f64, density_kg_m3: f64) -> f64 {
         let flow = |size: f64| self.flow_m3_s(size.copysign(flow_m3_s), density_kg_m3).abs();
         let target = flow_m3_s.abs();
@@ -41,7 +42,7 @@ impl PistonValves {
             high *= 2.0;
         }
         let mut low = 0.0;
-        // The flow increases with pressure, so bisection is accurate to the last digit.
+        // The flow increases with the pressure drop, so 100 bisections give the drop to the precision of `f64`.
         for _ in 0..100 {
             let middle = 0.5 * (low + high);
             if flow(middle) < target {
@@ -73,12 +74,13 @@ impl Bleed {
     }
 }
 
-/// Preloaded shim over a port. It is closed up to the preload, then opens with pressure until the port limits the flow.
+/// Preloaded shim over a port. The shim is closed up to the preload, then opens with pressure until the port limits the
+/// flow.
 #[derive(Debug, Clone, PartialEq)]
 pub struct BlowOff {
     /// Pressure drop at which the shim lifts (blow-off pressure), Pa.
     pub preload_pa: f64,
-    /// Opening area per pressure above the preload, m²/Pa.
+    /// Opening area per pressure drop above the preload, m²/Pa.
     pub opening_m2_pa: f64,
     /// Area of the port behind the shim, m².
     pub port_m2: f64,
@@ -87,7 +89,8 @@ pub struct BlowOff {
 }
 
 impl BlowOff {
-    /// Computes the opening area of the shim, m²: zero without pressure, linear well above the preload.
+    /// Computes the opening area of the shim, m², at a pressure drop, Pa: zero without pressure, linear well above the
+    /// preload.
     fn shim_area(&self, drop_pa: f64) -> f64 {
         let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
         let lift = softplus((drop_pa - self.preload_pa) / self.knee_pa) - softplus(-self.preload_pa / self.knee_pa);

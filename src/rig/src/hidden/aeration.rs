@@ -1,4 +1,4 @@
-//! Air in the oil: large compliance at low pressure, small compliance at high pressure.
+//! Injected effect of air in the oil: large compliance at low pressure, small compliance at high pressure.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,14 +7,14 @@ const FORMS: &[&str] = &["entrained", "dissolving_foam"];
 
 struct Aeration {
     form: usize,
-    /// Compliance of the air at the static pressure, m/N.
+    /// Compliance of the air at the static pressure of the damper, m/N.
     soft_m_n: f64,
-    /// Force of the static pressure on the piston, N.
+    /// Force of the damper's static pressure on the piston, N.
     rest_n: f64,
-    /// Polytropic exponent of the bubbles.
+    /// Polytropic exponent of the air bubbles.
     exponent: f64,
-    /// Length of both chambers at mid-stroke, m. `compression_share` is the ratio of air in the compression chamber to
-    /// air in the rebound chamber.
+    /// Length of each of the two oil chambers at mid-stroke, m. `compression_share` is the ratio of air in the
+    /// compression chamber to air in the rebound chamber.
     chamber_m: f64,
     compression_share: f64,
     /// Hydraulic force at which all air is dissolved, N.
@@ -29,7 +29,8 @@ impl Hidden for Aeration {
         if self.form == 1 { &[1e-5] } else { &[] }
     }
 
-    /// Leaves the foam state of the preceding test unchanged, because foam decays only during the pause.
+    /// Keeps the foam state of the preceding test, because foam does not vanish between tests. `pause` computes its
+    /// decay.
     fn begin(&self, _rest: &crate::neutral::Rest, _states: &mut [f64]) {}
 
     fn pause(&self, seconds: f64, states: &mut [f64]) {
@@ -47,7 +48,8 @@ impl Hidden for Aeration {
 
     fn compliance_m_n(&self, here: &Here, states: &[f64]) -> f64 {
         if self.form == 0 {
-            // Use Merritt's mixture law in both chambers: the chamber under pressure stores the flow.
+            // Merritt's mixture law (compliance of air bubbles under pressure) applies in both chambers. The chamber
+            // under pressure has the larger weight.
             let working = 0.5 * (1.0 + here.oil_n / libm::hypot(here.oil_n, 0.2 * self.rest_n));
             let rebound = (1.0 - here.position_m / self.chamber_m).max(0.1);
             let compression = self.compression_share * (1.0 + here.position_m / self.chamber_m).max(0.1);

@@ -1,4 +1,5 @@
-//! A stop at the end of compression: exponentially stiffening polyurethane, or a closing hydraulic gap.
+//! Injected effect of a stop at the end of compression: exponentially stiffening polyurethane, or a closing hydraulic
+//! gap.
 
 use super::{Hidden, Recipe, stop};
 

@@ -1,23 +1,25 @@
-//! A rubber mount instead of the linear series spring: it is soft, stiffens with deflection, and has losses.
+//! Injected effect of a rubber mount instead of the linear series spring: the mount is soft, stiffens with deflection,
+//! and has losses.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Mount};
 
 const FORMS: &[&str] = &["friction_and_quintic", "two_relaxations_and_stop"];
-/// Velocity whose rebound force defines the working deflection, m/s.
+/// Velocity, m/s, at which the rebound force of the valves defines the working deflection of the mount.
 const WORKING_M_S: f64 = 0.5;
 
 struct Bushing {
     form: usize,
     strength: f64,
-    /// Deflection of the series spring under its working force, m.
+    /// Deflection of the linear series spring under the rebound force at [`WORKING_M_S`], m.
     working_m: f64,
     /// Relative additional compliance at strength 1: the spring's stiffness is divided by `1 + strength * softer`.
     softer: f64,
-    /// Deflection relative to the working deflection. At this deflection, the quintic term doubles the force at
-    /// strength 1, or the stop makes contact.
+    /// Deflection, relative to the working deflection, at which the quintic term doubles the force at strength 1, or
+    /// the stop makes contact.
     hardens: f64,
-    /// Friction in the filler, N. `friction_m` is the deflection over which the friction builds up, m.
+    /// Friction in the rubber's filler (carbon black), N. `friction_m` is the deflection over which the friction builds
+    /// up, m.
     friction_n: f64,
     friction_m: f64,
     /// Relaxing stiffnesses relative to the static stiffness, and their time constants, s.
@@ -39,7 +41,8 @@ impl Hidden for Bushing {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let rate = here.deflection_m_s;
         if self.form == 0 {
-            // The filler is a Bouc-Wen model. Its state is the relative friction force, from -1 to 1.
+            // The friction of the rubber's filler is a Bouc-Wen model. Its state is the friction force relative to
+            // `friction_n`, from -1 to 1.
             rates[0] = (rate - rate.abs() * states[0] * states[0].abs().sqrt()) / self.friction_m;
         } else {
             for (index, (_, time)) in self.relaxing.iter().enumerate() {
@@ -69,8 +72,8 @@ impl Hidden for Bushing {
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let form = recipe.form(FORMS);
     let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
-    // If the series spring is stiff, a proportional change would be invisible. So the softness is scaled to give every
-    // damper about the same soft mount.
+    // A proportional change of a stiff series spring would be invisible. So the relative compliance grows with the
+    // stiffness, to give every damper with a mount above 0.4e6 N/m about equal mount stiffness.
     let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
     let draw = &mut recipe.draw;
     Box::new(Bushing {

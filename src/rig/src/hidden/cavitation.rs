@@ -1,18 +1,18 @@
-//! Cavitation: the pressure cannot fall below vapor pressure, so a void opens and limits the force. The force returns
-//! only after the void has closed.
+//! Injected effect of cavitation: the pressure cannot fall below vapor pressure, so a void opens and limits the force.
+//! The force returns only after the void has closed.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["monotube_compression", "foot_valve_rebound"];
-/// Compliance of vapor, m/N: ten newtons per millimeter.
+/// Compliance of a chamber with vapor, m/N. It corresponds to a stiffness of 10 N/mm.
 const VAPOUR_M_N: f64 = 1e-4;
 /// Length of a fully developed void, m.
 const VOID_M: f64 = 0.2e-3;
 
 enum Cavitation {
-    /// In compression, the pressure in the rebound chamber falls to vapor pressure. The force stays at a limit until
-    /// the void has closed.
+    /// In compression, the pressure in the rebound chamber falls to vapor pressure. The force stays at the limit
+    /// `cap_n`, N, until the void has closed.
     Monotube { cap_n: f64, knee_n: f64 },
     /// In rebound, the foot valve does not refill the compression chamber, so compression begins with a stroke without
     /// force.
@@ -38,7 +38,8 @@ impl Hidden for Cavitation {
             let v = here.velocity_m_s;
             let offset = softplus(-free_m_s / knee_m_s);
             let opens = if v > 0.0 { share * knee_m_s * (softplus((v - free_m_s) / knee_m_s) - offset) } else { 0.0 };
-            // While the void is open, the displacement of the piston closes it. The end of closing is gradual.
+            // While the void is open, the compression of the piston closes it. Over the last `edge_m` of the void, the
+            // closing is gradual.
             let closes = v.min(0.0) * states[0] / (states[0] + edge_m);
             rates[0] = opens + closes;
         }
@@ -67,8 +68,8 @@ pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
     let at_top = -recipe.neutral.valves.force_n(-1.5);
     let draw = &mut recipe.draw;
     Box::new(if form == 0 {
-        // The force limit varies only with the root of the strength, because a limit above all forces would have no
-        // effect.
+        // The force limit varies only with the inverse root of the strength. At a small strength, a limit above all
+        // forces would have no effect.
         let cap_n = at_top * draw.between("cap_share", 0.65, 0.85) / strength.sqrt();
         Cavitation::Monotube { cap_n, knee_n: cap_n * draw.between("knee", 0.03, 0.06) }
     } else {

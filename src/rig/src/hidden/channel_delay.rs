@@ -1,4 +1,4 @@
-//! The force channel lags displacement and velocity.
+//! Injected measurement error: the force channel lags the displacement and velocity channels.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -12,8 +12,8 @@ struct ChannelDelay {
 }
 
 impl ChannelDelay {
-    /// Returns the filter's natural frequency, rad/s. At low frequency the filter lags by `2 zeta / omega`, which is
-    /// `delay_s`.
+    /// Returns the natural frequency omega, rad/s, of the second-order filter of the force. At low frequency, the
+    /// filter lags by `2 zeta / omega`, with its damping ratio zeta; this lag is `delay_s`.
     fn omega(&self) -> f64 {
         2.0 * self.damping / self.delay_s
     }
@@ -45,7 +45,8 @@ impl Hidden for ChannelDelay {
     }
 
     fn cell_n(&self, force_n: f64, here: &Here, states: &[f64]) -> f64 {
-        // Only the true force is filtered. Contributions of other measurement errors stay in `force_n`.
+        // Only the true force on the rod, `rod_n`, is filtered. Contributions of other measurement errors stay in
+        // `force_n`.
         if self.form == 1 { force_n - here.rod_n + states[0] } else { force_n }
     }
 }

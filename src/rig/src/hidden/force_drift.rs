@@ -1,4 +1,4 @@
-//! The load cell's zero drifts over the campaign.
+//! Injected measurement error: the load cell's zero drifts over the campaign.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -10,7 +10,7 @@ struct Drift {
     /// Total drift over the campaign, N.
     drift_n: f64,
     campaign_s: f64,
-    /// Time constant of the warm-up, as a fraction of the campaign.
+    /// Time constant of the warm-up, as a fraction of the campaign's duration.
     warm_up: f64,
 }
 

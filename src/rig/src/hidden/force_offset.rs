@@ -1,5 +1,5 @@
-//! The load cell's zero is wrong. A constant error is indistinguishable from gas preload, but a change at a re-zeroing
-//! is distinguishable.
+//! Injected measurement error: the load cell's zero is wrong. A constant error is indistinguishable from gas preload,
+//! but a change at a re-zeroing is distinguishable.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;

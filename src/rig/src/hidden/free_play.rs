@@ -1,4 +1,4 @@
-//! Play in the series element: a range of motion without force.
+//! Injected effect of play in the series spring (the mount): a range of deflection without force.
 
 use super::{Hidden, Recipe};
 
@@ -8,9 +8,10 @@ struct FreePlay {
     form: usize,
     /// Half of the play, m.
     half_m: f64,
-    /// Penetration over which the contact's damper engages, m.
+    /// Penetration over which the series damper engages after contact, m.
     engaging_m: f64,
-    /// Penetration over which the contact stiffness reaches its full value, m (Hertz).
+    /// Penetration over which the contact stiffness approaches the full stiffness of the series spring, m (form
+    /// `hertz`).
     contact_m: f64,
 }
 

@@ -1,4 +1,5 @@
-//! A bypass that closes during the stroke: soft in fast reversals, firm in slow reversals.
+//! Injected effect of a bypass that closes during each stroke. The damper is soft in short, fast strokes and firm in
+//! long, slow strokes.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -7,10 +8,10 @@ const FORMS: &[&str] = &["filling_chamber", "cross_fade"];
 
 struct FrequencySelective {
     form: usize,
-    /// Flow of the open bypass at the reference force `scale_n`, as a piston velocity, m/s.
+    /// Flow of the open bypass, as a piston velocity, m/s, at the oil force `scale_n`, N.
     flow_m_s: f64,
     scale_n: f64,
-    /// Time constant of filling or closing, s. `opening_s` is the time constant of reopening.
+    /// Time constant, s, with which the bypass closes. `opening_s` is the time constant with which it reopens, s.
     closing_s: f64,
     opening_s: f64,
     /// Velocity below which the form `cross_fade` detects a reversal, m/s.
@@ -20,9 +21,9 @@ struct FrequencySelective {
 impl Hidden for FrequencySelective {
     fn tolerances(&self) -> &[f64] {
         match self.form {
-            // The states are the filling of the control chambers of rebound and compression.
+            // The states are the filled fractions of the control chambers of rebound and compression.
             0 => &[1e-5, 1e-5],
-            // The state is the closed fraction.
+            // The state is the closed fraction of the bypass.
             _ => &[1e-5],
         }
     }
@@ -34,7 +35,8 @@ impl Hidden for FrequencySelective {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if self.form == 0 {
             for (index, force) in [here.oil_n, -here.oil_n].into_iter().enumerate() {
-                // The pressure fills the chamber through a throttle. A check valve empties the chamber.
+                // The pressure in its direction fills a control chamber through a throttle. Without pressure, a check
+                // valve empties the chamber.
                 let pressure = (force / self.scale_n).max(0.0);
                 let fills = (pressure / (pressure + 0.3)).sqrt() * (1.0 - states[index]) / self.closing_s;
                 let idle = 1.0 / (1.0 + libm::exp(force / (0.02 * self.scale_n)));
@@ -52,7 +54,7 @@ impl Hidden for FrequencySelective {
             let closed = if force > 0.0 { states[0] } else { states[1] };
             self.flow_m_s * (1.0 - closed) * force / libm::pow(force * force + 4e-4, 0.25)
         } else {
-            // In this form, the bypass is linear in the force.
+            // In the form `cross_fade`, the flow of the bypass is linear in the force.
             self.flow_m_s * (1.0 - states[0]) * force
         }
     }

@@ -1,4 +1,5 @@
-//! The gas force increases as the rod moves in, so it depends on position in addition to the preload.
+//! Injected effect of the gas spring: the gas force increases as the rod moves in. The neutral damper has only a
+//! constant gas preload.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -9,21 +10,22 @@ const ADIABATIC: f64 = 1.4;
 
 struct GasSpring {
     form: usize,
-    /// Gas force at mid-stroke, N. The constant preload of the neutral damper already contains it, so only its change
-    /// is added.
+    /// Gas force at mid-stroke, N. The constant preload of the neutral damper already contains it, so the effect adds
+    /// only the change with position.
     force_n: f64,
     /// Length of the gas column at mid-stroke, m.
     column_m: f64,
-    /// Volume of the molecules (van der Waals), as a fraction of the column.
+    /// Volume of the molecules (van der Waals' b), as a fraction of the gas volume at mid-stroke.
     covolume: f64,
-    /// Attraction (van der Waals), as a fraction of the pressure at mid-stroke.
+    /// Attraction of the molecules (van der Waals' a/V²) at mid-stroke, as a fraction of the pressure at mid-stroke.
     attraction: f64,
-    /// Time constant of heat exchange with the wall, s.
+    /// Time constant of heat exchange between gas and wall, s.
     settling_s: f64,
 }
 
 impl GasSpring {
-    /// Computes the volume of the gas relative to mid-stroke; extension increases it.
+    /// Computes the volume of the gas relative to that at mid-stroke, at a displacement, m. Extension increases the
+    /// volume.
     fn volume(&self, displacement_m: f64) -> f64 {
         (1.0 + displacement_m / self.column_m).max(0.05)
     }
@@ -31,13 +33,13 @@ impl GasSpring {
 
 impl Hidden for GasSpring {
     fn tolerances(&self) -> &[f64] {
-        // The state is T / T_wall - 1, with the absolute temperatures of gas and wall.
+        // The state is T / T_wall - 1, with the absolute temperatures T of the gas and T_wall of the wall.
         if self.form == 1 { &[1e-6] } else { &[] }
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if self.form == 1 {
-            // First law for an ideal gas, with heat exchange at one time constant.
+            // First law of thermodynamics for an ideal gas, with heat exchange at one time constant.
             let rate = here.line.velocity_m_s / self.column_m / self.volume(here.line.displacement_m);
             rates[0] = -(ADIABATIC - 1.0) * (1.0 + states[0]) * rate - states[0] / self.settling_s;
         }

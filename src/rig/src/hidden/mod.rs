@@ -1,8 +1,8 @@
-//! Physical effects that can be injected into the neutral damper, one file each.
+//! Physical effects and measurement errors that can be injected into the neutral damper, one file each.
 //!
 //! Every effect has a strength: 0 means absent, 1 a typical strong case. The force of the effect grows smoothly and
 //! monotonically with the strength, so that bisection finds the strength for a required force. Shape parameters, and
-//! the physical form if there are two, are drawn from the seed and do not depend on the strength.
+//! the physical form if there are several, are drawn from the seed and do not depend on the strength.
 
 mod aeration;
 mod bump_stop;
@@ -35,7 +35,7 @@ use crate::neutral::Neutral;
 
 /// Names of the effects that a diagnosis is expected to know.
 ///
-/// Viscous friction is excluded, because a free force-velocity curve absorbs it completely.
+/// Viscous friction is excluded, because an identified force-velocity curve absorbs it completely.
 pub const EFFECTS: [&str; 19] = [
     "gas_spring",
     "stribeck_friction",
@@ -73,10 +73,10 @@ pub const UNKNOWN_EFFECTS: [&str; 11] = [
     "unknown_self_pumping",
 ];
 
-/// Name that requests the neutral damper, without injected effects.
+/// Name on the command line that requests the neutral damper, without injected effects.
 pub const NOTHING: &str = "nothing";
 
-/// A drawn effect and the data that [`crate::Truth`] states about it.
+/// An effect with drawn parameters, and the data that [`crate::Truth`] states about it.
 pub(crate) struct Drawn {
     pub name: &'static str,
     pub form: &'static str,
@@ -90,7 +90,7 @@ pub(crate) struct Drawn {
 pub(crate) struct Recipe<'a> {
     pub strength: f64,
     pub neutral: &'a Neutral,
-    /// Campaign clock at the end of the last test, s.
+    /// Time from the start of the campaign to the end of the last test, s.
     pub campaign_s: f64,
     pub draw: Draw,
     wanted: Option<&'a str>,

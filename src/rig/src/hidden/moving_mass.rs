@@ -1,4 +1,5 @@
-//! Force proportional to acceleration: mass between load cell and damper, or oil in a long passage.
+//! Injected effect of a force proportional to acceleration: mass between load cell and damper, or oil in a long
+//! passage.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -6,9 +7,10 @@ use crate::neutral::Here;
 const FORMS: &[&str] = &["rig_mass", "fluid_inertance"];
 
 enum MovingMass {
-    /// Mass on the moving side of the load cell.
+    /// Mass `kg` between load cell and damper, which moves with the actuator.
     Rig { kg: f64 },
-    /// Oil column in a passage, in series with the mount. The length of the column depends on position.
+    /// Oil in a passage, as an additional mass `kg` behind the mount. The mass changes linearly with position, by 100 %
+    /// over `length_m`.
     Fluid { kg: f64, length_m: f64 },
 }
 

@@ -1,4 +1,5 @@
-//! Oil and tube deform under pressure, so a part of the displaced oil does not flow through the valves.
+//! Injected effect of compressibility: oil and tube deform under pressure, so a part of the displaced oil does not flow
+//! through the valves.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,14 +8,14 @@ const FORMS: &[&str] = &["rebound_chamber", "two_chambers"];
 
 struct Compressibility {
     form: usize,
-    /// Compliance at mid-stroke without pressure, m/N.
+    /// Compliance of oil and tube at mid-stroke without pressure, m/N.
     compliance_m_n: f64,
     /// Length of the rebound chamber at mid-stroke, m. `compression_m` is that of the compression chamber.
     rebound_m: f64,
     compression_m: f64,
     /// Pressure force on the piston at which the bulk modulus has doubled, N.
     stiffening_n: f64,
-    /// Fraction of the compliance that is due to the wall and constant.
+    /// Fraction of the compliance that is due to the tube wall and does not depend on pressure.
     wall: f64,
 }
 
@@ -25,7 +26,7 @@ impl Hidden for Compressibility {
             rebound
         } else {
             let compression = (1.0 + here.position_m / self.compression_m).max(0.1);
-            // Both compliances are combined, weighted toward the chamber under pressure.
+            // The compliances of both chambers are combined, weighted toward the chamber under pressure.
             let working = 0.5 * (1.0 + here.oil_n / libm::hypot(here.oil_n, 50.0));
             working * rebound + (1.0 - working) * compression
         };

@@ -1,4 +1,5 @@
-//! Over a part of the stroke, oil flows past the piston through grooves in the tube.
+//! Injected effect of position-dependent damping: over a part of the stroke, oil flows past the piston through grooves
+//! in the tube.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,7 +8,7 @@ const FORMS: &[&str] = &["groove", "one_sided_groove", "bell"];
 
 struct Groove {
     form: usize,
-    /// Flow past the piston at the reference force `scale_n` and the largest groove area, as a piston velocity, m/s.
+    /// Flow past the piston, as a piston velocity, m/s, at the oil force `scale_n`, N, and the largest groove area.
     flow_m_s: f64,
     scale_n: f64,
     centre_m: f64,
@@ -16,7 +17,7 @@ struct Groove {
 }
 
 impl Groove {
-    /// Computes the area of the groove at a position, relative to its largest value.
+    /// Computes the area of the groove at a piston position, m, relative to its largest value.
     fn area(&self, position_m: f64) -> f64 {
         let from_centre = position_m - self.centre_m;
         match self.form {
@@ -24,7 +25,7 @@ impl Groove {
                 let share = ((self.half_m + self.taper_m - from_centre.abs()) / self.taper_m).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
             }
-            // The groove opens from the center outward, on the compressed side.
+            // The one-sided groove opens gradually from the center into the compressed side of the stroke.
             1 => {
                 let share = (-from_centre / (self.half_m + self.taper_m)).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
@@ -37,7 +38,8 @@ impl Groove {
 impl Hidden for Groove {
     fn bypass_m_s(&self, here: &Here, _states: &[f64]) -> f64 {
         let force = here.oil_n / self.scale_n;
-        // The flow follows an orifice, linearized below a fiftieth of the reference force.
+        // The flow follows the square-root law of an orifice, linearized below a fiftieth of the reference force
+        // `scale_n`.
         self.flow_m_s * self.area(here.position_m) * force / libm::pow(force * force + 4e-4, 0.25)
     }
 }

@@ -1,12 +1,12 @@
-//! Friction reverses over a distance after each reversal of motion: seal lips and guide bands deflect before they
-//! slide.
+//! Injected effect of presliding: friction reverses over a distance after each reversal of motion, because seal lips
+//! and guide bands deflect before they slide.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
 const ELEMENTS: usize = 5;
-/// Coefficient by which the strength, and thus the softness of the bristles, reduces creep at standstill.
+/// Coefficient with which the strength of the effect reduces the creep of the friction force at standstill.
 ///
 /// The smoothing velocity of the neutral friction is divided by `1 + CREEP_FADES * strength`.
 const CREEP_FADES: f64 = 4.0;
@@ -15,7 +15,7 @@ struct Presliding {
     /// Length over which the friction force of each element builds up (m), and the element's fraction of the total
     /// friction force. The form `elasto_plastic` has one element.
     elements: Vec<(f64, f64)>,
-    /// Fraction of the full load below which a bristle is purely elastic (Dupont's break-away ratio).
+    /// Fraction of the full load below which an element is purely elastic (Dupont's break-away ratio).
     elastic: f64,
     /// Velocity scale of the transition from creeping to sliding, m/s.
     smooth_m_s: f64,
@@ -29,8 +29,8 @@ impl Hidden for Presliding {
 
     /// Computes the rates of the elements' loads, each from -1 to 1.
     ///
-    /// In long motion, the load of even a soft element approaches the smooth sign function of the neutral friction. At
-    /// standstill, the load relaxes with an equal smoothing velocity.
+    /// In long motion, the load of even a soft element approaches the smooth sign of the velocity, `v / sqrt(v² +
+    /// smooth_m_s²)`. At standstill, the load creeps with the velocity `smooth_m_s`.
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let v = here.line.velocity_m_s;
         let speed = libm::hypot(v, self.smooth_m_s);
@@ -45,7 +45,8 @@ impl Hidden for Presliding {
                 let share = ((reached.abs() - self.elastic) / (1.0 - self.elastic)).clamp(0.0, 1.0);
                 share * share * (3.0 - 2.0 * share)
             };
-            // There is no sliding in the direction opposite to the load. Near standstill, only creep remains.
+            // An element does not slide against the direction of its load. Near standstill, only creep reduces the
+            // load.
             let creep = (self.smooth_m_s / speed).powi(2);
             rates[index] = speed * (end - load * sliding.max(creep)) / length;
         }

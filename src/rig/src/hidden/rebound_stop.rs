@@ -1,4 +1,4 @@
-//! A stop at the end of rebound: a rubber ring on the rod, or a ring that closes the gap to the tube.
+//! Injected effect of a stop at the end of rebound: a rubber ring on the rod, or a ring that closes an oil gap.
 
 use super::{Hidden, Recipe, stop};
 

@@ -1,4 +1,4 @@
-//! Side force increases the guide friction in addition to the proportional term of the neutral damper.
+//! Injected effect of side force on guide friction, in addition to the proportional term of the neutral damper.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -6,10 +6,11 @@ use crate::neutral::Here;
 const FORMS: &[&str] = &["saturating", "two_bushes"];
 
 enum SideFriction {
-    /// Friction `mu (sqrt(Fs² + F0²) - F0)` at the side force Fs, with the onset force F0. It saturates when the
-    /// lubricant film collapses.
+    /// Friction `mu (sqrt(Fs² + F0²) - F0) / (1 + Fs / Fl)`, N, at the side force Fs, N. The coefficient mu is `share`.
+    /// F0 is the onset force `onset_n`, N, and Fl the force `level_n` of saturation, N.
     Saturating { share: f64, onset_n: f64, level_n: f64 },
-    /// Friction of the reaction forces in rod guide and piston band, whose distance decreases with extension.
+    /// Friction of the reaction forces in rod guide and piston band. Their distance, at mid-stroke `overlap_m`,
+    /// decreases with extension.
     TwoBushes { share: f64, overhang_m: f64, overlap_m: f64 },
 }
 
@@ -19,7 +20,8 @@ impl Hidden for SideFriction {
         match self {
             Self::Saturating { share, onset_n, level_n } => {
                 let pressed = share * (libm::hypot(side, *onset_n) - onset_n);
-                // The saturation does not depend on the strength, so that the shape is equal at any strength.
+                // The saturation force `level_n` does not depend on the strength, so that the friction over side force
+                // has one shape at any strength.
                 pressed / (1.0 + side / level_n)
             }
             Self::TwoBushes { share, overhang_m, overlap_m } => {

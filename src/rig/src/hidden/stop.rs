@@ -11,13 +11,15 @@ pub(super) struct Stop {
     side: f64,
     /// Displacement toward the stop at which it makes contact, m.
     touched_m: f64,
-    /// F1 of the rubber force `F1 (exp(d / d1) - 1)` at the depth d, N. `growth_m` is d1, m.
+    /// F1 of the rubber force `F1 (exp(d / d1) - 1)`, N, at the depth d beyond the contact, m. `growth_m` is d1, m.
     force_n: f64,
     growth_m: f64,
-    /// Ratio of the relaxing force to the static force, and time constant (s), of a Maxwell element (Zener).
+    /// Ratio of the relaxing force to the static force of the rubber, and relaxation time constant (s): a Maxwell
+    /// element in parallel (Zener model).
     relaxing: f64,
     relaxation_s: f64,
-    /// Hydraulic stop: force at 1 m/s in the open gap (N), and length over which the gap closes (m).
+    /// Hydraulic stop: force at 1 m/s in the fully covered but still open gap (N), and length over which the gap closes
+    /// (m).
     resistance_n: f64,
     closing_m: f64,
 }
@@ -56,13 +58,14 @@ impl Hidden for Stop {
             return 0.0;
         }
         let force = if self.form == 0 {
-            // The Maxwell element has the force curve of the rubber. Rubber can push but not pull.
+            // The Maxwell element has the force curve of the rubber, scaled by `relaxing`. Rubber can push but not
+            // pull.
             (self.rubber_n(depth) + self.relaxing * (self.rubber_n(depth) - self.rubber_n(states[0]))).max(0.0)
         } else {
             let speed = (self.side * here.line.velocity_m_s).max(0.0);
             let left = (1.0 - depth / self.closing_m).max(0.12);
-            // The laminar part is inversely proportional to the cube of the gap, the orifice part to its square. Both
-            // increase with the covered length.
+            // The laminar part of the force is inversely proportional to the cube of the gap, the orifice part to its
+            // square. Both parts increase with the covered length.
             let covered = depth / (depth + 2e-3);
             self.resistance_n * covered * (0.3 * speed / left.powi(3) + 0.7 * speed * speed / left.powi(2))
         };

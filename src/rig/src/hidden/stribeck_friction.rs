@@ -1,4 +1,4 @@
-//! Friction with a peak near standstill that falls with velocity.
+//! Injected effect of additional friction near standstill, which falls with velocity.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;

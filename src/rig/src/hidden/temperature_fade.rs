@@ -1,5 +1,5 @@
-//! Oil becomes thinner with temperature. The laminar part of the force is proportional to the viscosity, the other part
-//! to the density.
+//! Injected effect of temperature fade: oil becomes thinner with temperature. The laminar part of the force is proportional to the
+//! viscosity, the other part to the density.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -10,20 +10,21 @@ const REFERENCE_C: f64 = 25.0;
 const KELVIN: f64 = 273.15;
 /// Thermal expansion of oil, 1/K.
 const EXPANSION: f64 = 7e-4;
-/// Smallest viscosity relative to the reference. [`MOST_VISCOSITY`] is the largest.
+/// Smallest ratio of the viscosity to that at [`REFERENCE_C`]. [`MOST_VISCOSITY`] is the largest ratio.
 const LEAST_VISCOSITY: f64 = 0.02;
 const MOST_VISCOSITY: f64 = 50.0;
 
 struct Fade {
     form: usize,
     strength: f64,
-    /// B, K, and C, °C, of Vogel's law `ln mu = B / (T + C)`.
+    /// B (in K) and C (in °C) of Vogel's law `ln mu = B / (T + C)`. The relative viscosity mu is that at the temperature T, °C.
     vogel: (f64, f64),
     /// A and M of Walther's law for the viscosity (ASTM D341).
     ///
-    /// The law is `lg lg (nu + 0.7) = A - M lg T`, with the viscosity nu in mm²/s and the temperature T in K. A and M follow from the viscosities at 40 and 100 °C.
+    /// The law is `lg lg (nu + 0.7) = A - M lg T`, with the viscosity nu in mm²/s and the temperature T in K. A and M
+    /// follow from the viscosities at 40 and 100 °C.
     walther: (f64, f64),
-    /// Force at which half of the pressure drop is laminar, N.
+    /// Oil force at which half of the pressure drop is laminar, N.
     half_n: f64,
 }
 
@@ -43,7 +44,8 @@ impl Hidden for Fade {
         // The strength is an exponent: twice the strength doubles the effect of temperature on the logarithm of the
         // viscosity.
         let viscosity = libm::pow(self.viscosity(here.line.oil_c) / self.viscosity(REFERENCE_C), self.strength);
-        // The bound is a fiftieth of the viscosity, below which the laminar part would become turbulent.
+        // The lower bound is a fiftieth of the viscosity at [`REFERENCE_C`]. At a smaller viscosity, the laminar flow would become
+        // turbulent.
         let viscosity = LEAST_VISCOSITY + (1.0 - LEAST_VISCOSITY) * viscosity.min(MOST_VISCOSITY);
         let density = libm::exp(-self.strength * EXPANSION * (here.line.oil_c - REFERENCE_C));
         let laminar = 1.0 / (1.0 + here.oil_n.abs() / self.half_n);

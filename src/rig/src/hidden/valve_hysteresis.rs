@@ -1,22 +1,24 @@
-//! The blow-off valve opens and closes with a delay.
+//! Injected effect of valve hysteresis: the blow-off valve opens and closes with a delay.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest, ValveLaw};
 
 const FORMS: &[&str] = &["spool", "opening_and_closing_pressure"];
-/// Velocity up to which the bleed, which is always open, has the valve law, m/s. Beyond it, the bleed is an orifice.
+/// Velocity, m/s, up to which all oil flows through the bleed, which is always open. Beyond it, the bleed follows the
+/// law of an orifice.
 const BLEED_M_S: f64 = 0.05;
 
 struct ValveHysteresis {
     form: usize,
-    /// Spool: natural frequency (rad/s), damping ratio, and ratio of flow force to pressure force at full flow.
+    /// Form `spool`: natural frequency (rad/s), damping ratio, and ratio of flow force to pressure force at full flow.
     omega: f64,
     damping: f64,
     flow_force: f64,
-    /// Play between pressure and valve, expressed as a force, N, and time constant of the valve beyond the play, s.
+    /// Form `opening_and_closing_pressure`: play between pressure and valve position, expressed as a force, N, and time
+    /// constant of the valve beyond the play, s.
     play_n: f64,
     follows_s: f64,
-    /// Force at [`BLEED_M_S`] in rebound and compression, N.
+    /// Valve force at the velocity [`BLEED_M_S`] in rebound and compression, N.
     bleed_n: [f64; 2],
     tolerances: Vec<f64>,
 }
@@ -30,8 +32,8 @@ impl Hidden for ValveHysteresis {
         states.fill(0.0);
     }
 
-    /// Computes the rate of the valve position, N/s; the position is expressed as a force. In the form `spool`, also
-    /// computes the rate of the valve's velocity.
+    /// Computes the rate of the valve position, N/s. The position is expressed as the oil force at which it would be in
+    /// equilibrium. In the form `spool`, also computes the rate of the valve's velocity, N/s².
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         let lag = here.oil_n - states[0];
         if self.form == 0 {
@@ -41,8 +43,8 @@ impl Hidden for ValveHysteresis {
             rates[1] =
                 self.omega * (self.omega * (flow_force * here.oil_n - states[0]) - 2.0 * self.damping * states[1]);
         } else {
-            // The play approaches |F| at small forces and `play_n` at large forces, so that the valve closes at zero
-            // force.
+            // The play approaches |F| at small oil forces F and `play_n` at large forces, so that the valve closes at
+            // zero force.
             let play = self.play_n * here.oil_n.abs() / (here.oil_n.abs() + self.play_n);
             rates[0] = (lag.abs() - play).max(0.0).copysign(lag) / self.follows_s;
         }
@@ -58,7 +60,7 @@ impl Hidden for ValveHysteresis {
             }
         };
         let standing = states[0];
-        // A valve of the other direction is closed.
+        // If the valve position belongs to the other direction, the blow-off valve is closed for this direction.
         let ratio = if standing * force_n > 0.0 { (force_n / standing).min(4.0) } else { 0.0 };
         let opened = valves.flow_m_s(standing) - bleed(standing);
         Some(bleed(force_n) + opened * ratio.sqrt())

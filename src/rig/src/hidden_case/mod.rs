@@ -1,4 +1,5 @@
-//! Cases for a diagnosis: a campaign on a neutral damper with injected effects, and the sealed truth.
+//! Cases for a diagnosis: a campaign on a neutral damper with injected effects, and the truth about these effects in a
+//! sealed folder.
 
 mod run;
 mod sealed;
@@ -22,14 +23,14 @@ pub struct InjectedCase {
     /// Plan of the tests.
     pub plan: Plan,
     /// Seed, noise and channels. The seed determines the damper, the shapes of the effects, the order of the tests and
-    /// the noise, each by a separate stream. The damper does not depend on the injected effects.
+    /// the noise, each by a separate random stream. The damper therefore does not depend on the injected effects.
     pub options: Options,
 }
 
-/// A measured case.
+/// The records and the truth of a case.
 #[derive(Debug, Clone, PartialEq)]
 pub struct InjectedCampaign {
-    /// Records on the campaign clock, in the order of measurement.
+    /// Records in the order of measurement; their times count from the start of the campaign.
     pub campaign: Campaign,
     /// Injected effects, which are the correct diagnosis.
     pub truth: Truth,
@@ -43,7 +44,7 @@ pub struct Truth {
     /// The injected effects. Empty for the neutral damper.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub effects: Vec<InjectedEffect>,
-    /// Parameters of the neutral damper; the names end with the unit.
+    /// Names, which end with the unit, and values of the parameters of the neutral damper.
     pub damper: BTreeMap<String, f64>,
 }
 

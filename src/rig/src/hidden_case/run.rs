@@ -1,5 +1,5 @@
-//! Execution of a case: all tests on one clock, so that temperatures and other lasting states continue from test to
-//! test.
+//! Execution of a case: all tests in sequence with one clock, so that temperatures and other lasting states continue
+//! from test to test.
 
 use std::cell::RefCell;
 use std::collections::BTreeMap;
@@ -25,12 +25,12 @@ const RATES_HZ: [f64; 22] = [
     1.0, 2.0, 4.0, 5.0, 8.0, 10.0, 16.0, 20.0, 25.0, 32.0, 40.0, 50.0, 80.0, 100.0, 125.0, 200.0, 250.0, 400.0, 500.0,
     1000.0, 1250.0, 2500.0,
 ];
-/// Rate for road-like motions, Hz.
+/// Default sample rate of road-like motions, Hz.
 const ROAD_RATE_HZ: f64 = 500.0;
 /// Range of pauses between tests, s.
 const PAUSE_S: (f64, f64) = (3.0, 12.0);
-/// Offset of the samples from the reversals of the motion, in samples. Without the offset, the velocity of a sample at
-/// a reversal would be exactly zero.
+/// Offset of the sample times from the reversals of the motion, in sample intervals. Without the offset, the velocity
+/// of a sample at a reversal would be exactly zero.
 const SAMPLE_OFFSET: f64 = 0.37;
 
 impl InjectedCase {
@@ -56,8 +56,8 @@ impl InjectedCase {
         self.run_matrix(&self.plan.matrix(order), |_, _| {})
     }
 
-    /// Runs the case on a matrix instead of its plan, in the order of the matrix. `progress` is called with the numbers
-    /// of completed tests and of all tests.
+    /// Runs the case on a test matrix instead of its plan, in the order of the matrix. `progress` is called with the
+    /// numbers of completed tests and of all tests.
     ///
     /// # Errors
     /// Returns the errors of [`InjectedCase::run`].
@@ -79,7 +79,7 @@ impl InjectedCase {
             drawn.push(effect);
         }
         let truth = truth(seed, &drawn, draw.values);
-        // An effect of strength 0 is omitted, so that the result equals the neutral damper to the bit.
+        // An effect of strength 0 is omitted, so that the records equal those of the neutral damper bit for bit.
         let hidden: Vec<Box<dyn Hidden>> =
             drawn.into_iter().filter(|effect| effect.strength > 0.0).map(|drawn| drawn.effect).collect();
 
@@ -136,12 +136,12 @@ fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
     }
 }
 
-/// A test with its start on the campaign clock.
+/// A test with its start time in the campaign.
 struct Scheduled<'a> {
     point: &'a TestPoint,
     drive: Drive,
     rate_hz: f64,
-    /// Campaign clock at the first sample, s.
+    /// Time of the first sample since the start of the campaign, s.
     clock_s: f64,
     /// Pause before the test, s.
     pause_s: f64,
@@ -160,7 +160,8 @@ fn schedule<'a>(matrix: &'a Matrix, options: &Options) -> Vec<Scheduled<'a>> {
             let usual = RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(RATES_HZ[RATES_HZ.len() - 1]);
             let usual = if point.road_seed.is_some() { ROAD_RATE_HZ } else { usual };
             let pause_s = if index == 0 { 0.0 } else { PAUSE_S.0 + (PAUSE_S.1 - PAUSE_S.0) * draw.unit() };
-            // Round to whole milliseconds, so that times are exact in a file.
+            // The start time is rounded up to whole milliseconds, so that all times are exact in a file with six
+            // decimals.
             clock_s = f64::ceil((clock_s + pause_s) * 1e3) / 1e3;
             let test = Scheduled { point, rate_hz: options.sample_rate_hz.unwrap_or(usual), clock_s, pause_s, drive };
             clock_s += test.drive.duration_s();
@@ -202,7 +203,8 @@ impl Rig<'_> {
             for (hidden, states) in self.hidden.iter().zip(&mut lasting.states) {
                 hidden.pause(test.pause_s, states);
             }
-            // The number of states is a compile-time constant, so it is rounded up. Surplus states stay at zero.
+            // The number of states of the solver is a compile-time constant, so it is rounded up. Surplus states stay
+            // at zero.
             let record = match states {
                 0..=3 => self.measure::<3>(test, with_side_force, &mut lasting),
                 4 => self.measure::<4>(test, with_side_force, &mut lasting),
@@ -319,7 +321,7 @@ mod tests {
         ideal(seed, effects).run_matrix(&matrix(), |_, _| {}).unwrap().campaign.records
     }
 
-    /// Computes the root mean square difference of the forces of two campaigns, N.
+    /// Computes the root mean square difference of the noise-free forces of two campaigns, N.
     fn distance(a: &[Record], b: &[Record]) -> f64 {
         let squares = |f: &dyn Fn(&Record, &Record, usize) -> f64| -> f64 {
             a.iter().zip(b).map(|(a, b)| (0..a.time_s.len()).map(|i| f(a, b, i)).sum::<f64>()).sum()
@@ -355,8 +357,8 @@ mod tests {
 
     #[test]
     fn a_passive_damper_takes_energy_in_every_cycle() {
-        // Exclude the measurement errors of the rig. A mass need not be excluded, because it returns the energy that it
-        // stores.
+        // The measurement errors of the rig are excluded, because they are no passive forces. A mass need not be
+        // excluded, because it returns the energy that it stores.
         let physical = EFFECTS.iter().filter(|name| !["channel_delay", "force_offset", "force_drift"].contains(name));
         for name in physical {
             for record in measured(4, &[(name, 1.0)]) {

@@ -1,4 +1,4 @@
-//! The truth of a case on disk, in a subfolder that readers of records do not open.
+//! The truth of a case (its damper and injected effects) on disk, in a subfolder that readers of records do not open.
 
 use std::fs;
 use std::io;
@@ -10,7 +10,7 @@ use crate::files::{read_text, replace_file};
 
 /// Name of the subfolder that contains the truth.
 pub const SEALED_FOLDER: &str = "sealed";
-/// Name of the file with the injected effects.
+/// Name of the file with the injected effects and the damper's parameters.
 pub const TRUTH_FILE: &str = "truth.toml";
 /// Name of the file with the forces without noise: one line per sample, records in the order of measurement.
 pub const CLEAN_FORCE_FILE: &str = "clean_force.csv";

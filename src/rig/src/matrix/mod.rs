@@ -18,7 +18,7 @@ pub struct Matrix {
 }
 
 impl Matrix {
-    /// Makes a matrix of the given tests.
+    /// Makes a test matrix of the given tests.
     ///
     /// # Errors
     /// [`RigError::TestPoint`] if a test is outside the rig's limits, or if two names are equal except for case.

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-/// Default number of whole measured cycles up to 2 Hz.
+/// Default number of whole measured cycles of a test up to 2 Hz.
 pub const DEFAULT_CYCLES_SLOW: u32 = 3;
 /// Default number of whole measured cycles above 2 Hz, where a cycle has fewer samples.
 pub const DEFAULT_CYCLES_FAST: u32 = 5;
@@ -19,8 +19,8 @@ const FREQUENCY_RANGE_HZ: (f64, f64) = (1e-3, 50.0);
 const SIDE_FORCE_LIMIT_N: f64 = 3000.0;
 /// Largest number of whole cycles of a test.
 const CYCLES_LIMIT: u32 = 1000;
-/// Largest accepted relative difference between the stated peak velocity and 2 pi A f. A matrix file may contain
-/// rounded values.
+/// Largest accepted relative difference between the stated peak velocity and 2 pi A f, with amplitude A and frequency
+/// f. A matrix file may contain rounded values.
 const PEAK_VELOCITY_TOLERANCE: f64 = 0.02;
 
 /// One test of a matrix: a sine, or a road-like random motion.
@@ -30,34 +30,35 @@ pub struct TestPoint {
     pub name: String,
     /// Amplitude of the sine (half the stroke), m.
     pub amplitude_m: f64,
-    /// Frequency, Hz.
+    /// Frequency of the sine, Hz.
     pub frequency_hz: f64,
-    /// Largest velocity of the sine, `2 pi A f`, m/s.
+    /// Largest velocity of the sine, m/s: `2 pi A f` with amplitude A and frequency f.
     pub peak_velocity_m_s: f64,
     /// Mean position of the sine from mid-stroke, extension positive, m.
     pub mean_displacement_m: f64,
     /// Constant side force on the rod, N.
     pub side_force_n: f64,
-    /// Whole cycles at full amplitude.
+    /// Number of whole cycles at full amplitude.
     pub cycles: u32,
-    /// Seed of a road-like random motion instead of the sine.
+    /// Seed of a road-like random motion; `None` means a sine.
     ///
-    /// `amplitude_m` and `peak_velocity_m_s` are then upper limits, and the motion reaches one of them. The duration
-    /// equals that of the sine.
+    /// `amplitude_m` and `peak_velocity_m_s` are upper limits of a random motion, which reaches one of them. The
+    /// duration equals that of the sine with these values.
     pub road_seed: Option<u64>,
 }
 
 /// Reason why the rig cannot run a test: the field and the problem.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Fault {
-    /// The field, by its column name in a matrix file.
+    /// The invalid field, by its column name in a matrix file.
     pub column: &'static str,
     /// The problem and a remedy.
     pub problem: String,
 }
 
 impl TestPoint {
-    /// Makes a centered test without side force at an amplitude and a peak velocity, with the default number of cycles.
+    /// Makes a sine test about mid-stroke without side force, at an amplitude, m, and a peak velocity, m/s, with the
+    /// default number of cycles.
     pub fn at_peak_velocity(name: String, amplitude_m: f64, peak_velocity_m_s: f64) -> Self {
         let frequency_hz = peak_velocity_m_s / (TAU * amplitude_m);
         Self {
@@ -72,7 +73,7 @@ impl TestPoint {
         }
     }
 
-    /// Checks that the rig can run this test. Otherwise, returns the first fault.
+    /// Checks that the rig can run this test. Otherwise, returns the first reason why it cannot.
     pub(crate) fn check(&self) -> Result<(), Fault> {
         let fault = |column, problem: String| Err(Fault { column, problem });
         if let Some(problem) = name_problem(&self.name) {
@@ -157,8 +158,8 @@ pub fn default_cycles(frequency_hz: f64) -> u32 {
     if frequency_hz > FAST_FREQUENCY_HZ { DEFAULT_CYCLES_FAST } else { DEFAULT_CYCLES_SLOW }
 }
 
-/// Returns the problem of a name, if any. Names become file names, so they are limited to the common rules of all
-/// systems.
+/// Returns the problem of a test's name, if any. Names become file names, so they must be valid file names on all
+/// operating systems.
 fn name_problem(name: &str) -> Option<String> {
     if name.is_empty() || name.len() > 100 {
         return Some("the name must have 1 to 100 characters".into());

@@ -1,4 +1,4 @@
-//! The test matrix as a CSV file. The file is in millimeters, the unit of test engineers, and the matrix in SI units.
+//! The test matrix as a CSV file. The file is in mm and mm/s, the units of test engineers, and [`Matrix`] in SI units.
 
 use std::f64::consts::TAU;
 use std::path::Path;
@@ -25,9 +25,9 @@ impl Matrix {
     /// Columns (any order, upper or lower case): `name`, `amplitude_mm`, `frequency_hz`, `peak_velocity_mm_s`,
     /// `mean_displacement_mm`, `side_force_n`, `cycles`.
     ///
-    /// Two of amplitude, frequency and peak velocity are required. The third follows from `Vp = 2 pi A f`. The other
-    /// columns may be missing or empty. Comma, semicolon or tab separates the columns (only semicolon or tab in files
-    /// with decimal commas). Empty lines and lines that begin with `#` are skipped.
+    /// Two of amplitude A, frequency f and peak velocity Vp are required. The third follows from `Vp = 2 pi A f`. The
+    /// other columns may be missing or empty. Comma, semicolon or tab separates the columns (only semicolon or tab in
+    /// files with decimal commas). Empty lines and lines that begin with `#` are skipped.
     ///
     /// # Errors
     /// [`RigError::Io`] if the file is not readable; [`RigError::MatrixFile`] or [`RigError::MatrixCell`], with line
@@ -199,7 +199,7 @@ impl Row<'_> {
         }
     }
 
-    /// Reads a number like [`Row::number`], and rejects values that are not positive.
+    /// Reads the number in a column, or `None` from an empty or missing cell. Rejects values that are not positive.
     fn positive(&self, column: usize) -> Result<Option<f64>, RigError> {
         match self.number(column)? {
             Some(value) if value <= 0.0 => {
@@ -257,7 +257,7 @@ impl Row<'_> {
             road_seed: None,
         };
         point.check().map_err(|fault| self.fault(fault.column, fault.problem))?;
-        // Amplitude and frequency have precedence, because the stated peak velocity may be rounded.
+        // The peak velocity is computed from amplitude and frequency, because the stated peak velocity may be rounded.
         Ok(TestPoint { peak_velocity_m_s: TAU * point.amplitude_m * point.frequency_hz, ..point })
     }
 }

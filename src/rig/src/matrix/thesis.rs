@@ -16,7 +16,8 @@ pub const RIG_FREQUENCY_LIMIT_HZ: f64 = 25.03;
 /// Amplitudes of tests 1 to 8, m.
 const AMPLITUDES_M: [f64; 8] = [0.050, 0.040, 0.030, 0.025, 0.015, 0.005, 0.002, 0.001];
 
-/// Frequencies of the standard test (50 mm), Hz, which define the peak velocities of all rows.
+/// Frequencies of the standard test, Hz. At its amplitude of 50 mm, they define the peak velocities of the tests at all
+/// amplitudes.
 const STANDARD_FREQUENCIES_HZ: [f64; 7] = [1.0 / 6.0, 5.0 / 12.0, 5.0 / 6.0, 1.25, 5.0 / 3.0, 10.0 / 3.0, 5.0];
 const STANDARD_AMPLITUDE_M: f64 = 0.050;
 
@@ -33,9 +34,9 @@ pub struct MatrixOptions {
     pub amplitudes_m: Vec<f64>,
     /// Peak velocities, m/s; one for each column of the matrix.
     pub peak_velocities_m_s: Vec<f64>,
-    /// Frequency limit, Hz; points above it are omitted.
+    /// Highest frequency, Hz; tests above it are omitted.
     pub frequency_limit_hz: f64,
-    /// Whether to add the slow friction cycles (test 9).
+    /// Whether to add the slow cycles of test 9 of the thesis, which show friction.
     pub slow_tests: bool,
 }
 
@@ -54,8 +55,8 @@ impl Default for MatrixOptions {
 }
 
 impl Matrix {
-    /// Makes the thesis's matrix with `options`: every amplitude at every peak velocity with `f = Vp / (2 pi A)`, then
-    /// the slow cycles.
+    /// Makes the thesis's test matrix with `options`: every amplitude A at every peak velocity Vp, then the slow
+    /// cycles. The frequency is `f = Vp / (2 pi A)`.
     ///
     /// # Errors
     /// [`RigError::Option`] if a value is not a positive number or is listed twice, or no point remains below the
@@ -107,7 +108,7 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
     let (first, last) = SLOW_FREQUENCIES_HZ;
     let ratio = last / first;
     (0..SLOW_POINTS).map(move |index| {
-        // The first and the last frequency are stated values. Only the others are computed.
+        // The first and the last frequency are values of the thesis. Only the frequencies between them are computed.
         let frequency = match index {
             0 => first,
             i if i == SLOW_POINTS - 1 => last,
@@ -123,7 +124,7 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
 
 /// Range of accepted amplitudes, m, and peak velocities, m/s.
 ///
-/// Below a micrometer, sensors measure only noise. No rig operates above 20 m/s.
+/// Below an amplitude of a micrometer, sensors measure only noise. No rig operates above 20 m/s.
 const VALUES: (f64, f64) = (1e-6, 20.0);
 
 fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), RigError> {

@@ -2,8 +2,8 @@
 //! other force laws.
 //!
 //! From the moving end inward, it has a series spring and damper, a small mass, and the valves in parallel with a weak
-//! linear spring. Friction and a constant gas preload act in parallel with all of these. Without an injected effect,
-//! the thesis's model represents the damper except for the shape of its force laws.
+//! linear spring. Friction and a constant gas preload act in parallel with this series path. Without an injected
+//! effect, the thesis's model represents the damper except for the shape of its force laws.
 
 mod hidden;
 mod instant;
@@ -25,7 +25,7 @@ pub(crate) struct Neutral {
     pub mount: Mount,
     /// Mass between series spring and valves, kg.
     pub mass_kg: f64,
-    /// Spring in parallel with the valves, N/m.
+    /// Stiffness of the weak spring in parallel with the valves, N/m.
     pub spring_n_m: f64,
     pub friction: Friction,
     /// Constant gas force, N.
@@ -43,21 +43,21 @@ pub(crate) struct Mount {
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Friction {
     pub sliding_n: f64,
-    /// Velocity scale of the sign change, m/s.
+    /// Velocity scale eps of the sign change, m/s.
     pub smooth_m_s: f64,
-    /// Ratio of the additional friction to the side force.
+    /// Ratio of the additional friction to the magnitude of the side force.
     pub side_force_ratio: f64,
 }
 
 impl Neutral {
-    /// Computes the static force on the rod at a displacement, N: the weak spring in series with the mount, minus the
-    /// gas force.
+    /// Computes the static force on the rod, N, at a displacement, m: the weak spring in series with the series spring,
+    /// minus the gas force.
     pub fn rest_n(&self, displacement_m: f64) -> f64 {
         let series = self.mount.stiffness_n_m;
         series * self.spring_n_m / (series + self.spring_n_m) * displacement_m - self.gas_n
     }
 
-    /// Draws a damper within engineering ranges.
+    /// Draws the parameters of a damper at random, within the ranges of car dampers.
     pub fn draw(draw: &mut Draw) -> Self {
         let stiffness_n_m = draw.ratio("series_stiffness_n_m", 0.5e6, 5e6);
         let mass_kg = draw.ratio("mass_kg", 0.05, 0.5);

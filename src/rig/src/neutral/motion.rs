@@ -1,8 +1,8 @@
 //! Equations of the neutral damper with its injected effects.
 //!
-//! The states are deflection of the series spring, velocity of the mass, and force of the oil on the mass. The oil
-//! column is 400 to 4000 times as stiff as the series spring, so that the valve flow follows from the force. For the
-//! thesis's model, the influence of the oil column is a fraction of a percent of the series stiffness.
+//! The states are deflection of the series spring, velocity of the mass, and force of the oil on the mass. With the oil
+//! force as a state, the valve flow is an explicit function of force. The oil column is 400 to 4000 times as stiff as
+//! the series spring, so it reduces the series stiffness by 0.25 % at most.
 
 use std::cell::RefCell;
 
@@ -26,7 +26,7 @@ pub(crate) struct System<'a, const N: usize> {
     pub effects: &'a [Box<dyn Hidden>],
     /// Index of the first state of each injected effect.
     pub first: Vec<usize>,
-    /// Oil temperature, °C. The caller updates it after each sample, and it is constant within a sample.
+    /// Oil temperature, °C. The caller updates it after each sample; it is constant within a sample interval.
     pub oil_c: &'a RefCell<f64>,
 }
 
@@ -57,7 +57,7 @@ impl<const N: usize> System<'_, N> {
     /// test.
     pub fn at_rest(&self, rest: &Rest, carried: &[Vec<f64>]) -> [f64; N] {
         let mut state = [0.0; N];
-        // The series spring balances the weak spring.
+        // The force of the series spring balances that of the weak spring in parallel with the valves.
         state[DEFLECTION] = self.neutral.spring_n_m * rest.displacement_m
             / (self.neutral.mount.stiffness_n_m + self.neutral.spring_n_m);
         for (index, hidden) in self.effects.iter().enumerate() {
@@ -69,7 +69,7 @@ impl<const N: usize> System<'_, N> {
         state
     }
 
-    /// Returns the quantities at one instant, and the force of the series element, N.
+    /// Returns the quantities at one instant, and the force of the series spring and damper, N.
     fn here(&self, line: &Line, state: &[f64; N]) -> (Here, f64) {
         let mut here = Here {
             line: Line { oil_c: *self.oil_c.borrow(), ..*line },
@@ -86,7 +86,7 @@ impl<const N: usize> System<'_, N> {
         (here, mount)
     }
 
-    /// Computes the force of the series element, N.
+    /// Computes the force of the series spring and damper, N.
     fn mount_n(&self, here: &Here, state: &[f64; N]) -> f64 {
         let mount = &self.neutral.mount;
         let (mut deflection, mut damped) = (here.deflection_m, 1.0);
@@ -119,7 +119,7 @@ impl<const N: usize> System<'_, N> {
         (level * direction, beside)
     }
 
-    /// Computes the flow past the piston, as a velocity, m/s.
+    /// Computes the flow past the piston, through valves and bypass, as a piston velocity, m/s.
     fn flow_m_s(&self, here: &Here, state: &[f64; N]) -> f64 {
         let (mut driving, mut bypass) = (here.oil_n, 0.0);
         for (hidden, own) in self.each(state) {
@@ -134,7 +134,7 @@ impl<const N: usize> System<'_, N> {
         through + bypass
     }
 
-    /// Computes the rates of all states.
+    /// Computes the time derivatives of all states of damper and effects.
     pub fn rates(&self, line: &Line, state: &[f64; N]) -> [f64; N] {
         let (here, mount) = self.here(line, state);
         let (mut compliance, mut mass) = (1.0 / COLUMN_N_M, self.neutral.mass_kg);
@@ -156,13 +156,13 @@ impl<const N: usize> System<'_, N> {
         rates
     }
 
-    /// Computes the reading of the load cell, N.
+    /// Computes the force that the load cell shows, N.
     pub fn cell_n(&self, line: &Line, state: &[f64; N]) -> f64 {
         let (here, _) = self.here(line, state);
         self.each(state).fold(here.rod_n, |force, (hidden, own)| hidden.cell_n(force, &here, own))
     }
 
-    /// Computes the power dissipated in the damper, W.
+    /// Computes the power that valves and friction dissipate in the damper, W.
     pub fn heat_w(&self, line: &Line, state: &[f64; N]) -> f64 {
         let (here, _) = self.here(line, state);
         let (friction, _) = self.beside_n(&here, state);

@@ -1,31 +1,32 @@
-//! The force-velocity law of the neutral damper, as flow (expressed as a velocity) over force.
+//! The force-velocity law of the neutral damper, as flow (expressed as a piston velocity) over force.
 //!
-//! In this form the flows of parallel passages add, so that an injected bypass is an additional term.
+//! With flow as a function of force, the flows of parallel passages add, so that an injected bypass is an additional
+//! term.
 
 use crate::draw::Draw;
 
-/// Velocity near the last knot of a drawn curve, m/s.
+/// Approximate velocity of the last knot of a randomly drawn force-velocity curve, m/s.
 const TOP_M_S: f64 = 1.6;
 
-/// Flow law of both directions.
+/// Flow through the valves as a function of force, in rebound and compression.
 #[derive(Debug, Clone)]
 pub(crate) struct ValveLaw {
     pub rebound: OneWay,
     pub compression: OneWay,
 }
 
-/// Law of one direction; force and flow are magnitudes.
+/// Flow as a function of force in one direction. Force, N, and flow, as the piston velocity, m/s, are magnitudes.
 #[derive(Debug, Clone)]
 pub(crate) enum OneWay {
-    /// A bleed (laminar and orifice in series) in parallel with a blow-off valve that opens near a force.
+    /// A bleed (laminar and orifice in series) in parallel with a blow-off valve that opens near the force `lift_n`, N.
     Passages { laminar_n_s_m: f64, orifice_n_s2_m2: f64, opening_m_s_n: f64, lift_n: f64, knee_n: f64 },
     /// Straight lines between knots, with kinks.
     Lines(Knots),
-    /// A monotone curve through knots (Fritsch & Carlson).
+    /// A monotone cubic curve through knots (Fritsch & Carlson).
     Curve(Knots),
 }
 
-/// Knots of an increasing curve from the origin.
+/// Knots of an increasing curve of flow over force, which begins at the origin.
 #[derive(Debug, Clone)]
 pub(crate) struct Knots {
     force_n: Vec<f64>,
@@ -34,7 +35,7 @@ pub(crate) struct Knots {
     slope: Vec<f64>,
 }
 
-/// Shape of a law.
+/// Shape of the force over velocity.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) enum Style {
     Digressive,
@@ -43,13 +44,13 @@ pub(crate) enum Style {
 }
 
 impl ValveLaw {
-    /// Computes the flow at a force, m/s; both are signed, rebound positive.
+    /// Computes the flow as a piston velocity, m/s, at a force, N; both are signed, rebound positive.
     pub fn flow_m_s(&self, force_n: f64) -> f64 {
         let way = if force_n > 0.0 { &self.rebound } else { &self.compression };
         way.flow_m_s(force_n.abs()).copysign(force_n)
     }
 
-    /// Computes the force at a flow, N: the inverse of [`ValveLaw::flow_m_s`].
+    /// Computes the force, N, at a flow as a piston velocity, m/s: the inverse of [`ValveLaw::flow_m_s`].
     pub fn force_n(&self, flow_m_s: f64) -> f64 {
         let way = if flow_m_s > 0.0 { &self.rebound } else { &self.compression };
         let target = flow_m_s.abs();
@@ -68,7 +69,7 @@ impl ValveLaw {
         (0.5 * (low + high)).copysign(flow_m_s)
     }
 
-    /// Draws a law: force at 1 m/s in each direction, style, and form of the curve.
+    /// Draws a law at random: the force at 1 m/s and the style in each direction, and the form of the curve.
     pub fn draw(draw: &mut Draw) -> Self {
         let rebound_n = draw.ratio("rebound_at_1_m_s_n", 1300.0, 3600.0);
         let compression_n = rebound_n * draw.between("compression_share", 0.35, 0.75);
@@ -101,7 +102,7 @@ impl ValveLaw {
 
 impl OneWay {
     fn passages(draw: &mut Draw, at_1_m_s_n: f64, style: Style) -> Self {
-        // `share` is the ratio of the force at 0.1 m/s to the force at 1 m/s. For a straight line it is 0.1.
+        // `share` is the ratio of the force at 0.1 m/s to the force at 1 m/s. For a linear damper it is 0.1.
         let (share, laminar_share, knee) = match style {
             Style::Digressive => (draw.between("share", 0.32, 0.55), draw.between("laminar", 0.25, 0.7), 0.12),
             Style::Linear => (draw.between("share", 0.13, 0.20), draw.between("laminar", 0.6, 0.9), 0.5),
@@ -110,7 +111,8 @@ impl OneWay {
         let low_n = share * at_1_m_s_n;
         let laminar_n_s_m = laminar_share * low_n / 0.1;
         let orifice = (1.0 - laminar_share) * low_n / 0.01;
-        // A progressive valve consists of its bleed alone. Its two resistances add up to the force at 1 m/s.
+        // A progressive valve consists of its bleed alone, so the laminar and the orifice force add up to the drawn
+        // force at 1 m/s. The orifice force is at least a tenth of it.
         let orifice_n_s2_m2 =
             if style == Style::Progressive { (at_1_m_s_n - laminar_n_s_m).max(0.1 * at_1_m_s_n) } else { orifice };
         let lift_n = low_n * draw.between("lift", 0.8, 1.1);
@@ -121,7 +123,7 @@ impl OneWay {
         Self::Passages { laminar_n_s_m, orifice_n_s2_m2, opening_m_s_n, lift_n, knee_n }
     }
 
-    /// Computes the flow at a force, m/s. Both are magnitudes.
+    /// Computes the flow as a piston velocity, m/s, at a force, N. Both are magnitudes.
     pub fn flow_m_s(&self, force_n: f64) -> f64 {
         match self {
             Self::Passages { laminar_n_s_m, orifice_n_s2_m2, opening_m_s_n, lift_n, knee_n } => {
@@ -135,8 +137,8 @@ impl OneWay {
     }
 }
 
-/// Computes the lift of the blow-off valve times the square root of the relative pressure, in newtons. It is zero at
-/// zero force.
+/// Computes a measure of the blow-off flow, N: the lift of the valve, expressed as a force, times sqrt(F / (F +
+/// F_lift)). F is the force `force_n` and F_lift the opening force `lift_n`.
 fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
     let softplus = |x: f64| if x > 30.0 { x } else { libm::log1p(libm::exp(x)) };
     let lift = knee_n * (softplus((force_n - lift_n) / knee_n) - softplus(-lift_n / knee_n));
@@ -144,8 +146,9 @@ fn opening(force_n: f64, lift_n: f64, knee_n: f64) -> f64 {
 }
 
 impl Knots {
-    /// Draws knots near a curve. The velocities have nearly equal ratios, from about 12 mm/s to [`TOP_M_S`]. The forces
-    /// deviate by some percent from the curve.
+    /// Draws `count` knots near a curve, in addition to the origin. Their velocities have nearly equal ratios, from
+    /// about 12 mm/s to [`TOP_M_S`]. Their forces deviate by at most 5 % from the curve, unless they would not
+    /// increase.
     fn on(draw: &mut Draw, curve: &OneWay, count: usize) -> Self {
         let law = ValveLaw { rebound: curve.clone(), compression: curve.clone() };
         let (mut force_n, mut flow_m_s) = (vec![0.0], vec![0.0]);

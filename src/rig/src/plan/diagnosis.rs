@@ -6,7 +6,7 @@ use super::CHECK_PREFIX;
 use crate::TestPoint;
 use crate::draw::Draw;
 
-/// Prefix of the names of the test that is repeated to show drift.
+/// Prefix of the names of the reference test, which is repeated to show drift.
 pub(super) const REFERENCE: &str = "reference";
 const REFERENCES: usize = 3;
 
@@ -51,7 +51,7 @@ const TRAINING: [Row; 31] = [
     (25.0, 0.5, 0.0, 1000.0),
 ];
 
-/// Check tests, with amplitudes and velocities between those of the training tests.
+/// Tests for verification only (check tests), with amplitudes and velocities between those of the training tests.
 const CHECKS: [Row; 11] = [
     (0.6, 2.0, 0.0, 0.0),
     (1.5, 18.0, 0.0, 0.0),
@@ -68,10 +68,10 @@ const CHECKS: [Row; 11] = [
 
 /// Road-like tests: limits of displacement (mm) and velocity (m/s), mean displacement (mm), side force (N).
 const ROADS: [Row; 3] = [(18.0, 0.5, 0.0, 0.0), (30.0, 1.1, 8.0, 0.0), (14.0, 0.8, -12.0, 300.0)];
-/// Duration of a road, s.
+/// Approximate duration of a road-like test, s.
 const ROAD_S: f64 = 4.0;
 
-/// Returns references, training and check tests, before the order of execution is determined.
+/// Returns the reference tests, training tests and check tests of the diagnosis plan, before shuffling.
 pub(super) fn tests() -> Vec<TestPoint> {
     let mut tests: Vec<TestPoint> = (1..=REFERENCES)
         .map(|number| TestPoint { name: format!("{REFERENCE}_{number}"), ..sine((25.0, 1.25, 0.0, 0.0)) })
@@ -94,7 +94,7 @@ pub(super) fn tests() -> Vec<TestPoint> {
     tests
 }
 
-/// Makes a test with three cycles of a sine.
+/// Makes a test with three cycles of a sine from a row of a plan.
 pub(super) fn sine((amplitude_mm, frequency_hz, mean_mm, side_force_n): Row) -> TestPoint {
     let amplitude_m = amplitude_mm * 1e-3;
     let mut name = format!("a{amplitude_mm}mm_f{frequency_hz}hz");
@@ -113,7 +113,7 @@ pub(super) fn sine((amplitude_mm, frequency_hz, mean_mm, side_force_n): Row) -> 
     }
 }
 
-/// Shuffles the tests, and places the references at start, middle and end.
+/// Shuffles the tests with the seed `order`, and places the reference tests at start, middle and end.
 pub(super) fn shuffled(tests: Vec<TestPoint>, order: u64) -> Vec<TestPoint> {
     let (references, mut rest): (Vec<_>, Vec<_>) = tests.into_iter().partition(|test| test.name.starts_with(REFERENCE));
     let mut draw = Draw::new(order, "order of the tests");

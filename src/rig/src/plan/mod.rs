@@ -59,8 +59,8 @@ impl Plan {
         })
     }
 
-    /// Returns the tests, in the order of execution. `order` is the seed for the shuffle, except for the thesis's plan.
-    /// The order influences the temperatures.
+    /// Returns the tests, in the order of execution. `order` is the seed for the shuffle; the thesis's plan is not
+    /// shuffled. The order of the tests influences the temperatures.
     pub fn matrix(self, order: u64) -> Matrix {
         let tests = match self {
             Self::Thesis => return Matrix::default(),
@@ -116,7 +116,7 @@ mod tests {
         assert!(points.iter().any(|p| p.mean_displacement_m == 0.025));
         assert!(points.iter().any(|p| p.mean_displacement_m == -0.025));
         assert!(points.iter().filter(|p| p.peak_velocity_m_s < 0.02).count() >= 5);
-        // Check tests differ from all training tests.
+        // Each check test differs in amplitude, mean displacement or side force from all training tests.
         for check in points.iter().filter(|p| p.name.starts_with(CHECK_PREFIX)) {
             assert!(points.iter().filter(|p| !p.name.starts_with(CHECK_PREFIX)).all(|p| {
                 (p.amplitude_m, p.mean_displacement_m, p.side_force_n)

@@ -5,12 +5,12 @@ use crate::TestPoint;
 
 const SLOW_M_S: f64 = 0.05;
 
-/// Makes eight centered sines at 25 mm.
+/// Makes eight sines about mid-stroke with an amplitude of 25 mm.
 pub(super) fn one_amplitude() -> Vec<TestPoint> {
     [0.07, 0.3, 0.8, 1.25, 2.5, 5.0, 7.5, 10.0].map(|hz| sine((25.0, hz, 0.0, 0.0))).into()
 }
 
-/// Makes eight centered sines at 2 Hz.
+/// Makes eight sines about mid-stroke at 2 Hz.
 pub(super) fn one_frequency() -> Vec<TestPoint> {
     [0.3, 1.0, 3.0, 8.0, 15.0, 25.0, 40.0, 50.0].map(|mm| sine((mm, 2.0, 0.0, 0.0))).into()
 }

@@ -1,11 +1,11 @@
-//! Version, completions and manual pages of the command.
+//! Tests of version, shell completions and manual pages of the program `dashpot`.
 
 use dashpot_abi::version::DASHPOT_ABI_VERSION;
 use dashpot_test_support::skipped;
 use dashpot_tests::cli::{done, refused};
 use std::process::Command;
 
-/// Returns the verbs listed by `--help`.
+/// Returns the subcommands that the text of `--help` lists.
 fn verbs(help: &str) -> Vec<&str> {
     let list = help.split("Commands:").nth(1).expect("a list of verbs").split("Options:").next().unwrap();
     let names = list.lines().filter_map(|line| line.strip_prefix("  ")?.split_whitespace().next());
@@ -37,7 +37,7 @@ fn every_shell_gets_every_verb() {
     assert!(refused(folder.path(), &["completions", "tcsh"]).contains("bash"));
 }
 
-/// Checks that bash completes the beginning of a verb with the script that the command writes.
+/// Checks that bash completes the beginning of a subcommand with the script that `dashpot completions` writes.
 #[test]
 fn bash_completes_a_verb() {
     let folder = tempfile::tempdir().unwrap();
@@ -62,7 +62,7 @@ fn every_verb_has_a_manual_page_with_its_example() {
         assert!(text.contains(&format!("(interface version {DASHPOT_ABI_VERSION})")), "{verb}: no version");
     }
     assert!(page("dashpot").contains("dashpot\\-fit(1)"));
-    // Repeated output is identical, and replaces the older files.
+    // A second run writes identical manual pages, and replaces the older files.
     let before = dashpot_tests::cli::contents(folder.path());
     done(folder.path(), &["man", "pages"]);
     assert!(dashpot_tests::cli::contents(folder.path()) == before);

@@ -1,12 +1,12 @@
-//! Accuracy of models that are fitted to records of the virtual rig. The rig's equations differ from the model's. The
-//! fit uses half of the tests, the comparison uses all tests.
+//! Tests the accuracy of models that are fitted to records of the virtual rig, whose equations differ from those of the
+//! model. The fit uses half of the tests, the comparison uses all tests.
 
 use dashpot_tests::cli::{done, json, number};
 use serde_json::Value;
 use std::path::Path;
 
-/// Limits of the mean error in percent of each test's largest force. They apply to the tests of one amplitude from 15
-/// mm up, to those of 1 mm, and to slow tests.
+/// Limits of the mean error in percent of each test's largest force. [`LARGE_STROKES`] applies to the tests of each
+/// amplitude from 15 mm up, [`ONE_MILLIMETRE`] to those of 1 mm, [`SLOW`] to slow tests.
 const LARGE_STROKES: f64 = 1.5;
 const ONE_MILLIMETRE: f64 = 5.0;
 const SLOW: f64 = 10.0;

@@ -1,4 +1,5 @@
-//! `dashpot check`, and the exports' remarks on chatter: messages, figures, and the damper adapted to a host's step.
+//! Tests of `dashpot check` and of the exports' remarks on chatter: messages, figures, and the damper adapted to a
+//! host's step.
 
 use dashpot_tests::cli::{done, json, number, refused, run};
 use std::path::Path;
@@ -22,8 +23,8 @@ fn checked(dir: &Path, more: &[&str]) -> serde_json::Value {
 fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
     let folder = steep();
     let found = checked(folder.path(), &["--host-step", "0.001", "--wheel-mass", "40"]);
-    // The gain is h/m, host step over wheel mass, times the derivative of friction and FV curve over velocity at
-    // standstill.
+    // The gain is c h/m with the host step h, s, and the wheel mass m, kg. c, N s/m, is the derivative of friction and
+    // FV curve with respect to velocity at standstill.
     let slope = 40.0 * 5000.0 + 0.5 * (900.0 + 1500.0);
     assert!((number(&found, "gain") / (slope * 1e-3 / 40.0) - 1.0).abs() < 0.05, "{found}");
     assert!(found["element"] == "coulomb_friction" && found["chatters"] == true && found["swings"] == true, "{found}");
@@ -33,7 +34,7 @@ fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
         let step = format!("{}", times * quiet);
         assert_eq!(checked(folder.path(), &["--host-step", &step])["chatters"], chatters, "{times}");
     }
-    // With a heavier wheel, this friction does not chatter.
+    // With a wheel of 1000 kg, this friction does not chatter.
     assert_eq!(checked(folder.path(), &["--wheel-mass", "1000"])["chatters"], false);
 }
 
@@ -52,8 +53,8 @@ fn a_damper_made_ready_for_a_step_says_what_that_costs_and_every_verb_reads_it()
     assert!(again.contains("does not chatter") && !again.contains("--for-step"), "{again}");
 }
 
-/// Checks that the exit code reports chatter to scripts. If an adapted damper was requested, the code refers to that
-/// damper.
+/// Checks that the exit code of `dashpot check --strict` reports chatter to scripts. With `--for-step`, the code refers
+/// to the adapted damper.
 #[test]
 fn a_script_is_told_by_the_exit_code() {
     let folder = steep();
@@ -80,8 +81,8 @@ fn exports_say_it_too_and_take_the_same_option() {
     assert!(std::fs::read_to_string(dir.join("soft/damper.toml")).unwrap().contains("presliding_friction"));
     let readme = |folder: &str| std::fs::read_to_string(dir.join(folder).join("README.txt")).unwrap();
     assert!(readme("soft").starts_with("coulomb_friction was replaced"));
-    // Adams adapts its steps and uses the derivatives of the force, so the remark on fixed steps does not apply to it.
-    // The README says so before the remark.
+    // Adams adapts its steps and uses the derivatives of the force, so the remark on fixed host steps does not apply to
+    // Adams. The README states this before the remark.
     let (text, below) = (readme("run"), "a run of Adams alone is not concerned");
     assert!(text.contains("A damper for Adams"), "{text}");
     let flat = text.split_whitespace().collect::<Vec<_>>().join(" ");

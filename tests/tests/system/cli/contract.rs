@@ -1,4 +1,4 @@
-//! The contract with scripts: names, flags, JSON keys and exit codes of the command.
+//! Tests of the interface to scripts: names, flags, JSON keys and exit codes of the program `dashpot`.
 
 use dashpot_tests::cli::{done, json, number, refused, run, small_campaign};
 use serde_json::Value;
@@ -24,7 +24,8 @@ fn records_to_model_to_errors() {
         dir,
         &["fit", "records", "-o", "m.toml", "--json", "fit.json", "--positive", "rebound", "--model", "thesis"],
     );
-    // The last line rates the fit beside the noise and beside the FV curve alone.
+    // The last line of the output compares the error of the fit with the noise and with the error of the FV curve
+    // alone.
     let last = said.lines().last().unwrap();
     assert!(last.contains("the noise of the records") && last.contains("the FV curve alone"), "{last}");
     let fit = json(&dir.join("fit.json"));
@@ -91,7 +92,7 @@ fn matrix_and_rig_write_what_each_other_read() {
     assert_eq!(std::fs::read_dir(dir.join("c")).unwrap().filter(|e| records(e.as_ref().unwrap())).count(), 2);
 }
 
-/// Returns the commands that a help page lists.
+/// Returns the subcommands that a help page lists.
 fn commands(help: &str) -> impl Iterator<Item = &str> {
     let list = help.split_once("Commands:\n").map_or("", |(_, rest)| rest.split("\n\n").next().unwrap_or(""));
     list.lines()

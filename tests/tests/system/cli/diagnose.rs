@@ -1,4 +1,4 @@
-//! `dashpot diagnose` for scripts and people: the JSON contract, the improved model, the report, mistakes.
+//! Tests of `dashpot diagnose`: the JSON for scripts, the improved model, the report, and messages about mistakes.
 
 use super::excel;
 use dashpot_diagnosis::EFFECTS;
@@ -10,14 +10,14 @@ use tempfile::TempDir;
 
 /// Results that the tests of this file share, computed once.
 ///
-/// `records` is a campaign of the virtual rig's monotube, and `plain.toml` its model without dry friction. The output
-/// of a diagnosis is `better.toml`, `d.json`, `d.html`, `figures`, and the printed text.
+/// In `folder`, `records` is a campaign of the virtual rig's monotube, and `plain.toml` is a fitted model without dry
+/// friction. The output of a diagnosis is `better.toml`, `d.json`, `d.html`, `figures`, and the printed text.
 struct Made {
     folder: TempDir,
     told: String,
 }
 
-/// Arguments of the shared diagnosis.
+/// Arguments of the diagnosis whose results the tests share.
 const DIAGNOSE: [&str; 9] =
     ["diagnose", "plain.toml", "records", "-o", "better.toml", "--json", "d.json", "--report", "d.html"];
 
@@ -66,8 +66,8 @@ fn assert_span(value: &Value, key: &str) {
     assert!(ends.len() == 2 && ends[0] <= ends[1], "{key} in {value}");
 }
 
-/// Asserts that every effect of both models appears once, with its force, and that a replaced effect names its
-/// replacement.
+/// Asserts that the inventory contains every effect once, with its force. If an effect replaces another one, the
+/// inventory also contains that one as replaced.
 fn assert_inventory(found: &Value) {
     let items = list(found, "inventory");
     let mut effects = BTreeSet::new();
@@ -136,7 +136,8 @@ fn assert_contract(found: &Value) {
         for error in ["rmse_n", "error_percent", "left_out_rmse_n", "noise_n"] {
             assert!(number(figures, error) >= 0.0, "{key}.{error}");
         }
-        // The noise of the force is about 1 N in dampers of a few kN; a wrong unit would cause a factor of a thousand.
+        // In dampers of a few kN with force noise of about 1 N, the rms errors are within this range. A wrong unit
+        // would cause a factor of a thousand.
         assert!(
             (0.05..500.0).contains(&number(figures, "rmse_n")) && number(figures, "error_percent") < 50.0,
             "{figures}"
@@ -151,7 +152,7 @@ fn assert_contract(found: &Value) {
     }
     assert!(!list(found, "could_not_test").is_empty(), "no rig shows every effect");
     for effect in list(found, "could_not_test") {
-        // `cylinder_expansion` is the only effect that no rig can identify, so it is never a finding.
+        // `cylinder_expansion` is not in `EFFECTS`, because no rig can identify it and it is never a finding.
         assert!(EFFECTS.contains(&word(effect, "effect")) || effect["effect"] == "cylinder_expansion", "{effect}");
         assert!(word(effect, "why").len() > 10);
     }
@@ -169,7 +170,7 @@ fn the_json_is_what_scripts_were_promised() {
     assert!(first.ends_with("_friction"), "{first}");
     assert!(number(&found["after"], "rmse_n") < number(&found["before"], "rmse_n"));
 
-    // Standard output is pure JSON. The left-out tests in it are the requested tests.
+    // With `--json -`, standard output is pure JSON. Its left-out tests are those of `--hold-out`.
     let out = done(dir, &["diagnose", "plain.toml", "records", "--json", "-", "--hold-out", "a15*,a01mm_v0052*"]);
     let found: Value = serde_json::from_str(&out).unwrap();
     assert_contract(&found);
@@ -200,10 +201,10 @@ fn threads_and_repetition_change_no_byte() {
     for file in ["better.toml", "d.json", "d.html"] {
         std::fs::remove_file(dir.join(file)).unwrap();
     }
-    // The shared diagnosis used as many threads as cores.
+    // The shared diagnosis used as many threads as cores. With one thread, all files must be equal.
     let ran = run_with(dir, &DIAGNOSE, &[("RAYON_NUM_THREADS", "1")]);
     assert_eq!(ran.code, Some(0), "{}", ran.err);
-    // Progress appears only on terminals.
+    // Standard error is empty, because progress appears only on terminals.
     assert!(ran.err.is_empty(), "{}", ran.err);
     assert!(made().told.starts_with(&ran.out), "{}", ran.out);
     assert!(contents(dir) == first, "one thread");
@@ -233,7 +234,8 @@ fn the_improved_model_is_an_ordinary_model_file() {
         // The improved model file lists the tests to which its parameters were fitted.
         assert_eq!(test["used_in_fit"], Value::Bool(!held_out.contains(word(test, "name"))), "{test}");
     }
-    // A diagnosis of the improved model does not find the effect again. The model file on standard output is valid.
+    // A diagnosis of the improved model does not find the added effect again. With `-o -`, the model file on standard
+    // output is valid.
     let out = done(dir, &["diagnose", "better.toml", "records", "-o", "-", "--json", "again.json"]);
     assert!(out.parse::<toml::Table>().unwrap().contains_key("elements"));
     let first = word(&list(&found, "findings")[0], "effect");
@@ -265,14 +267,15 @@ fn the_report_tells_everything_and_asks_nobody() {
         assert!(report.contains(word(effect, "effect")));
     }
     for test in list(&found, "next_tests") {
-        // The report translates the names of effects, so only the other parts of the text are compared.
+        // The report contains names of effects instead of identifiers, so only the other parts of the text are
+        // compared.
         let names: Vec<&str> = list(test, "separates").iter().filter_map(|name| name.as_str()).collect();
         let parts = word(test, "text").split(": ").filter(|part| !names.iter().any(|name| part.contains(name)));
         // The report uses the typographic minus.
         let parts: Vec<String> = parts.map(|part| part.replace(" -", " \u{2212}")).collect();
         assert!(!parts.is_empty() && parts.iter().all(|part| report.contains(part)), "{test}");
     }
-    // The sections of the brief print come first.
+    // The sections of the brief print come before those that only the complete print includes.
     let brief = ["answer", "inventory", "findings", "loops", "limits"];
     let whole = ["where", "matrix", "tried", "parameters"].map(|part| (part, " class=\"beyond\""));
     let heads = brief.map(|part| (part, "")).into_iter().chain(whole);
@@ -358,7 +361,7 @@ fn little_data_and_little_leave_give_honest_answers() {
     assert!(list(&none, "findings").is_empty() && word(&none, "verdict") != "named");
     assert!(!word(&none, "summary").is_empty() && !list(&none, "where").is_empty());
     assert_eq!(none["before"], none["after"]);
-    // Findings are limited to the requested candidates.
+    // Findings are limited to the effects of `--candidates`.
     let asked: [&str; 2] = ["channel_delay", "moving_mass"];
     let some = ask(&["records", "--candidates", &asked.join(",")]);
     for finding in list(&some, "findings") {
@@ -378,7 +381,7 @@ fn what_people_read_is_short_and_in_their_units() {
     }
     assert!(told.contains("\nmodel: better.toml\nreport: d.html\n"));
     assert!(told.lines().count() < 60, "{told}");
-    // No number has more than seven digits, because no measurement has.
+    // No number has more than seven digits, because no measurement has more significant digits.
     let digits = |word: &str| word.chars().filter(char::is_ascii_digit).count();
     let long = |w: &&str| w.contains('.') && digits(w) > 7 && !w.contains("mm_s") && !w.contains("hz");
     assert_eq!(told.split_whitespace().find(long), None);
@@ -393,7 +396,8 @@ fn groups_are_compared_with_one_reference() {
         std::fs::create_dir_all(&to).unwrap();
         for entry in std::fs::read_dir(dir.join("records")).unwrap() {
             let path = entry.unwrap().path();
-            // In group c the force is 30 % larger at every velocity. No effect is missing, but parameters differ.
+            // In group c the force is 30 % larger than in the other groups at every velocity. No effect is missing, but
+            // parameters differ.
             let text = std::fs::read_to_string(&path).unwrap();
             let heading = text.lines().find(|l| l.contains("force")).unwrap();
             let place = heading.split(',').position(|h| h.contains("force")).unwrap();
@@ -426,13 +430,15 @@ fn groups_are_compared_with_one_reference() {
     let changes = list(&groups[1]["diagnosis"], "changes");
     assert!(!changes.is_empty(), "{}", groups[1]["diagnosis"]["summary"]);
     for change in changes {
-        // Every force is 30 % larger; lengths and velocities are unchanged.
+        // Every changed parameter in N is 30 % larger in group c than in the reference. Lengths and velocities do not
+        // change with the force.
         let ratio = number(change, "value") / number(change, "reference");
         assert!(change["unit"] != "N" || (ratio - 1.3).abs() < 0.03, "{change}");
     }
     let page = std::fs::read_to_string(dir.join("g.html")).unwrap();
     assert!(page.contains("What changed in which group"));
-    // In the report, the figure comes first, then the verdicts, whose cells wrap; long parts are collapsed.
+    // In the report, the figure of the FV curves comes first, then the table of the verdicts, whose cells wrap. The
+    // table of changed numbers is collapsed.
     let place = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text} is not in the report"));
     assert!(place("FV curves of all groups") < place("<td class=\"w\">"));
     assert!(place("<details><summary>") > place("<td class=\"w\">"));
@@ -474,7 +480,7 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(changed, [false, true, false]);
     let page = std::fs::read_to_string(dir.join("h.html")).unwrap();
     assert!(page.contains("d, against c"));
-    // The first row of a change is the group before it, with the value before the change.
+    // The first row of a changed parameter is that of the preceding group, with the value before the change.
     let book = excel::sheets(&dir.join("h.xlsx"));
     let before = excel::column(excel::sheet(&book, "Numbers that changed"), "group");
     assert_eq!(before.first().map(ToString::to_string).as_deref(), Some("b"), "{before:?}");
@@ -506,7 +512,7 @@ fn a_list_of_the_laboratory_says_which_group_a_damper_belongs_to() {
             std::fs::copy(path, to.join(path.file_name().unwrap())).unwrap();
         }
     }
-    // The list gives no batch for campaign b.
+    // The list gives no batch for campaign b, so the command reports its test as in no group.
     let few = ["--candidates", "channel_delay", "--max-effects", "0"];
     std::fs::write(dir.join("fleet.csv"), "campaign;serial;batch\nfleet/a;17;spring\nfleet/b;18;\nfleet/c;19;autumn\n")
         .unwrap();

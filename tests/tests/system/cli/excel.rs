@@ -1,4 +1,4 @@
-//! `--excel`: the tables of a report as a workbook, which the test reads again.
+//! Tests of the option `--excel`: the tables of a report as a workbook, which the tests read again.
 
 use calamine::{Data, Range, Reader as _, Xlsx, open_workbook};
 use dashpot_tests::bridge::MODEL;
@@ -29,7 +29,7 @@ fn first(all: &[(String, Range<Data>)]) -> String {
     all[0].1.rows().flatten().map(|cell| cell.to_string() + "\n").collect()
 }
 
-/// Asserts that the sheet of the inventory contains the forces of the inventory in the JSON, with all digits.
+/// Asserts that the sheet of the inventory contains the forces of the effects in the JSON, with all digits.
 fn assert_inventory(book: &[(String, Range<Data>)], found: &serde_json::Value) {
     let items = found["inventory"].as_array().expect("an inventory");
     assert!(!items.is_empty());
@@ -88,7 +88,7 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     let diagnosed = sheets(&dir.join("d.xlsx"));
     let found = json(&dir.join("d.json"));
     let rows = |list: &serde_json::Value| list.as_array().expect("a list").len();
-    // The sheet lists the findings first, then the candidates of the first iteration.
+    // The sheet of the tested hypotheses lists the findings first, then the candidates of the first iteration.
     let tried = rows(&found["findings"]) + rows(&found["iterations"][0]);
     assert_eq!(column(sheet(&diagnosed, "Everything that was tried"), "probability, %").len(), tried);
     assert_inventory(&diagnosed, &json(&dir.join("d.json")));

@@ -1,4 +1,5 @@
-//! The verbs of `dashpot` for an adjustable damper, on campaigns of a known damper.
+//! Tests of the subcommands of `dashpot` for an adjustable damper, on synthetic campaigns of a damper with known
+//! parameters.
 
 use dashpot_core::Params;
 use dashpot_core::family::axis::ENTRIES;
@@ -30,7 +31,7 @@ fn write(folder: &Path, current: f64, suffix: &str) {
     write_of(&damper().params_at(current), folder, suffix, 7);
 }
 
-/// Writes the records of a damper.
+/// Writes the synthetic records of a damper with the parameters `params`. The names of the records end with `suffix`.
 fn write_of(params: &Params, folder: &Path, suffix: &str, seed: u64) {
     std::fs::create_dir_all(folder).unwrap();
     let sines = [(0.02, 0.04), (0.02, 1.0), (0.02, 4.0), (0.004, 12.0)].map(|(a, f)| Sine::new(a, f));
@@ -75,7 +76,7 @@ fn a_family_is_fitted_validated_and_simulated() {
     };
     assert_eq!((of("fv_force"), of("gas_force")), (true.into(), false.into()));
 
-    // Validate at the settings of the records.
+    // The validation has one entry for each setting of the records.
     done(dir, &["validate", "family.toml", "rig", "--json", "rig.json", "--report", "rig.html"]);
     let validation = json(&dir.join("rig.json"));
     let settings = validation["settings"].as_array().unwrap();
@@ -85,7 +86,8 @@ fn a_family_is_fitted_validated_and_simulated() {
     }
     let report = std::fs::read_to_string(dir.join("rig.html")).unwrap();
     assert!(report.contains("Force at constant velocity, by setting") && report.contains("1.2 A"));
-    // Curves, errors and loops come first; the other sections are collapsed.
+    // In a report, the sections of curves, errors and loops over the setting come first; the other sections are
+    // collapsed.
     for name in ["rig.html", "fit.html"] {
         let page = std::fs::read_to_string(dir.join(name)).unwrap();
         let body = page.split("<main>").nth(1).unwrap();
@@ -100,7 +102,8 @@ fn a_family_is_fitted_validated_and_simulated() {
     let message = refused(dir, &["fit", "rig", "-o", "one.toml", "--report", "one.html"]);
     assert!(message.contains("--setting"), "{message}");
 
-    // The records contain no setting. Their true setting lies between the grid values of the model.
+    // The records contain no setting, so `validate` requires `--setting`. Their true setting lies between the grid
+    // values of the model.
     let message = refused(dir, &["validate", "family.toml", "between", "--json", "b.json"]);
     assert!(message.contains("--setting") && message.contains("4mm_12Hz"), "{message}");
     done(dir, &["validate", "family.toml", "between", "--setting", "0.9", "--json", "b.json"]);
@@ -110,14 +113,14 @@ fn a_family_is_fitted_validated_and_simulated() {
     done(dir, &["validate", "family.toml", "between", "--setting", "0", "--json", "wrong.json"]);
     assert!(number(&json(&dir.join("wrong.json"))["settings"][0], "error_percent") > 10.0);
 
-    // Without a setting the simulation uses the start setting, with a note.
+    // Without `--setting`, the simulation uses the start setting of the model file, and reports this.
     let motion = std::fs::read_dir(dir.join("between")).unwrap().next().unwrap().unwrap().path();
     let simulate = ["simulate", "family.toml", motion.to_str().unwrap(), "-o", "force.csv"];
     assert!(done(dir, &simulate).contains("at the start setting of family.toml, 0;"));
     assert!(!done(dir, &[&simulate[..], &["--setting", "0.9"]].concat()).contains("start setting"));
 
-    // `dashpot setting` writes the model at one setting, which the other verbs accept. The file contains the intervals,
-    // and the fit of the FV curve alone for a property file.
+    // `dashpot setting` writes the model at one setting, which the other subcommands accept. The file contains the
+    // intervals, and the fit of the FV curve alone, which the export of a property file needs.
     done(dir, &["setting", "family.toml", "0.9A", "-o", "at.toml"]);
     let at = dashpot_identification::model_file::read(&dir.join("at.toml")).unwrap();
     assert!(at.identification.intervals.contains_key("gas_force") && at.identification.fv_only.is_some());
@@ -200,14 +203,14 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
         };
         assert_eq!(effects(&one), effects(&settings[1]), "{key}");
     }
-    // With the same records as reference, the diagnosis reports no change.
+    // With the diagnosed records as reference, the diagnosis reports no change.
     let same = [&["diagnose", "poor.toml", "rig", "--reference", "rig", "--json", "same.json"][..], &options].concat();
     let said = done(dir, &same);
     assert!(said.contains("at any setting") && said.contains("value for value, are in the reference"), "{said}");
     let missing = refused(dir, &[&["diagnose", "poor.toml", "rig", "--reference", "rig/0A"][..], &options].concat());
     assert!(missing.contains("--reference") || missing.contains("does not say its current"), "{missing}");
 
-    // Without a model the diagnosis fits a family to the records.
+    // Without a model file, the diagnosis fits a model over all settings to the records.
     let alone = ["diagnose", "rig", "--setting", "current", "--json", "a.json"];
     done(dir, &[&alone[..], &options].concat());
     assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 3);
@@ -305,7 +308,7 @@ fn limits_hold_at_the_setting_that_they_name() {
         std::fs::write(dir.join(name), format!("quantity,velocity_m_s,setting,low,high\n{rows}")).unwrap();
     };
     write("kept.csv", &(row(0.0, 0.9, 1.1) + &row(1.2, 0.9, 1.1)));
-    // The hard setting gets the limits of the soft setting, which it violates.
+    // At the hard setting, the damper violates the limits of the soft setting.
     write("missed.csv", &(row(0.0, 0.9, 1.1) + &row(0.0, 0.9, 1.1).replace(",0,", ",1.2,")));
     write("without.csv", &row(0.0, 0.9, 1.1).replace(",0,", ",,"));
     let judge = |limits: &str, model: &str| {
@@ -327,8 +330,8 @@ fn limits_hold_at_the_setting_that_they_name() {
     assert!(ordinary.code == Some(2) && ordinary.err.contains("line 2"), "{ordinary:?}");
 }
 
-/// Writes a family with valve dynamics, and a motion at 1 kHz with additional columns after time, displacement and
-/// velocity.
+/// Writes a model of an adjustable damper with valve dynamics, and a motion at 1 kHz with additional columns after
+/// time, displacement and velocity.
 fn write_valve_and_motion(dir: &Path, headings: &str, columns: impl Fn(f64) -> String) {
     let mut damper = damper();
     damper.axis.set_name("current").unwrap();
@@ -348,7 +351,7 @@ fn write_valve_and_motion(dir: &Path, headings: &str, columns: impl Fn(f64) -> S
     std::fs::write(dir.join("motion.csv"), text).unwrap();
 }
 
-/// Returns the forces and the printed text of `dashpot simulate` with these options.
+/// Returns the forces, N, and the printed text of `dashpot simulate` with further options.
 fn simulated(dir: &Path, options: &[&str]) -> (Vec<f64>, String) {
     let printed = done(dir, &[&["simulate", "valve.toml", "motion.csv", "-o", "force.csv"], options].concat());
     (table(&dir.join("force.csv")).1.iter().map(|row| row[3]).collect(), printed)
@@ -445,7 +448,8 @@ fn a_table_of_clicks_is_one_model_over_the_clicks() {
         let forces = one.params.list(list!("fv_force"));
         assert_eq!((forces.first(), forces.last()), (Some(&compression), Some(&rebound)));
     }
-    // If measured velocities differ slightly between clicks, as on a dyno, the table loses no point.
+    // If measured velocities differ slightly between the clicks of an adjuster, as on a dyno, the imported FV table
+    // contains all points.
     let mut scattered = String::from("Clicks,Comp Vel [m/s],Comp Force [N],Reb Vel [m/s],Reb Force [N]\n");
     let rows =
         [[0.05, 200.0, 300.0, 100.0, 150.0], [0.1, 300.0, 500.0, 160.0, 260.0], [0.5, 700.0, 1300.0, 420.0, 700.0]];
@@ -480,7 +484,7 @@ fn a_step_in_the_motion_is_the_one_that_validate_predicts() {
     write_valve_and_motion(dir, ",current [A]", |t| format!(",{}", current(t)));
     let (forces, printed) = simulated(dir, &[]);
     assert!(printed.contains("current from the column 'current [A]' of motion.csv: 0.2 to 1.2 A"), "{printed}");
-    // Write the motion as a record, with the simulated force as its measured force.
+    // The motion with the simulated force as its measured force becomes a record.
     let text = std::fs::read_to_string(dir.join("motion.csv")).unwrap();
     let mut record = String::new();
     for (k, line) in text.lines().enumerate() {

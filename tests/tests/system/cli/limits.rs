@@ -1,15 +1,16 @@
-//! `--limits` through the command: a damper that passes, one that fails, and untestable limits.
+//! Tests of the option `--limits`: a damper that passes, a damper that fails, and limits that cannot be tested.
 
 use dashpot_tests::cli::{campaign_folder, done, json, refused, run};
 use std::fs;
 use std::path::Path;
 
-/// Fits the FV curve alone to the records, which is fast.
+/// Fits the FV curve alone to the records, because this fit is fast.
 fn model(dir: &Path) {
     done(dir, &["fit", "records", "-o", "m.toml", "--model", "fv"]);
 }
 
-/// Returns the velocity, m/s, and the measured force, N, of the peak in `v.json` that is nearest to a velocity.
+/// Returns the velocity, m/s, and the measured force, N, of the peak in `v.json` whose velocity is nearest to
+/// `velocity`, m/s.
 fn peak(dir: &Path, velocity: f64) -> [f64; 2] {
     let figures = json(&dir.join("v.json"));
     let peaks = figures["tests"].as_array().unwrap().iter().flat_map(|t| t["peaks"].as_array().unwrap().clone());
@@ -42,8 +43,8 @@ fn a_damper_passes_or_fails_by_its_windows() {
     );
     assert_eq!(run(dir, &args).code, Some(0));
     assert!(fs::read_to_string(dir.join("c.html")).unwrap() == page, "the same bytes");
-    // With 1.3 times its nominal force, the damper violates the limit in rebound. The exit code is 1, and the message
-    // counts the violated limits.
+    // With a nominal force of 1.3 times the measured one, the damper violates the limit in rebound. The exit code is 1,
+    // and the message counts the violated limits.
     fs::write(dir.join("l.csv"), windows(10.0).replace(&format!("{fr},10 %"), &format!("{},10 %", 1.3 * fr))).unwrap();
     let german = [&args[..], &["--report", "r.html", "--language", "de", "--date", "2024-05-17"]].concat();
     let failed = run(dir, &german);
@@ -126,7 +127,7 @@ fn a_table_of_a_dyno_is_told_as_understood() {
     assert!(told.contains("rebound_force"), "{told}");
 }
 
-/// Makes half a second of motion at 0.5 m/s.
+/// Makes the text of a motion file: half a second at 0.5 m/s, at 1 kHz.
 fn motion() -> String {
     let row = |i: i32| format!("{},{},0.5\n", 1e-3 * f64::from(i), 0.5e-3 * f64::from(i));
     "time_s,displacement_m,velocity_m_s\n".to_owned() + &(0..500).map(row).collect::<String>()

@@ -1,4 +1,4 @@
-//! `dashpot manoeuvre`: the vehicle simulation on the command line.
+//! Tests of `dashpot manoeuvre`, the vehicle simulation on the command line.
 
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::cli::{done, json, number, refused, small_campaign};
@@ -45,7 +45,8 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
     std::fs::write(at.join("car.toml"), "wheels = 3\n").expect("a vehicle");
     let told = refused(at, &["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"]);
     assert!(told.contains("car.toml") && told.contains("line 1") && told.contains("\"wheels\""), "{told}");
-    // This vehicle is unstable with any damper: the message names its parameters and a stable step.
+    // With a tire of 1e9 N/m, the vehicle is unstable with any damper. The message names the parameters of the vehicle
+    // and a stable step.
     std::fs::write(at.join("car.toml"), "tyre = 1e9\n").expect("a vehicle");
     let stiff = ["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"];
     let told = refused(at, &stiff);

@@ -1,4 +1,5 @@
-//! Common mistakes of engineers: each ends in a message with the cause, or in a model that lists its limitations.
+//! Tests of common mistakes of engineers. Each mistake must give a message with the cause, or a model that lists its
+//! limitations.
 
 use dashpot_tests::cli::{HEADER, campaign_folder, done, json, refused, rewrite, row, run, table};
 use std::path::Path;
@@ -104,8 +105,8 @@ fn gaps_stubs_and_strays_are_named() {
     assert!(told.code == Some(0) && told.err.contains("holds the same samples as"), "{told:?}");
 }
 
-/// Fault of a single test: its name, a function that makes each row from a valid row, and a text of the message. `None`
-/// omits the row.
+/// Fault of a single record: its name, a function that makes each row, and a text of the message. The function gets the
+/// index and the values of a valid row; `None` omits the row.
 type Fault = (&'static str, fn(usize, [f64; 4]) -> Option<String>, &'static str);
 
 const FAULTS: [Fault; 7] = [
@@ -276,7 +277,7 @@ fn pipes_and_devices_are_refused_by_every_option_that_names_a_file() {
             assert!(message.contains(&named) && message.contains("regular file"), "{args:?}: {message}");
         }
     }
-    // An output beside a pipe called campaign.toml.
+    // An output is written into a folder that contains a pipe with the name campaign.toml.
     let (code, message) = answered(&["fit", "records", "--model", "fv", "-o", "piped/m.toml"]);
     assert_eq!(code, Some(0), "{message}");
     let (code, message) = answered(&["rig", "-o", "piped"]);

@@ -1,4 +1,4 @@
-//! Tests of the command from its users' view.
+//! Tests of the program `dashpot` as its users run it.
 
 mod about;
 mod accuracy;

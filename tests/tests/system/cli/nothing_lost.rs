@@ -1,4 +1,4 @@
-//! No user's file is lost: outputs replace only older outputs of their kind.
+//! Tests that no file of the user is lost: outputs replace only older outputs of their kind.
 
 use dashpot_tests::cli::{done, program, refused, run, small_campaign};
 use std::fs;
@@ -181,7 +181,7 @@ fn closed_or_full_standard_output_is_an_error() {
     }
     let (code, said) = shell(&format!("dashpot simulate m.toml {RECORD} -o /dev/full --force"));
     assert!(code == Some(2) && said.contains("/dev/full"), "{code:?} {said}");
-    // A reader that stops early, the null device, and a closed standard error are not errors.
+    // A reader of the output that stops early, the null device, and a closed standard error must not cause an error.
     for line in ["dashpot matrix | head -1", "dashpot matrix >/dev/null", "dashpot matrix </dev/null >/dev/null 2>&-"] {
         assert_eq!(shell(line).0, Some(0), "{line}");
     }

@@ -1,4 +1,5 @@
-//! Files with date and time form one campaign on a common clock. The fit then finds drift over the campaign.
+//! Tests that files with date and time form one campaign on a common clock. The fit then finds a drift of the force
+//! channel over the campaign.
 
 use dashpot_records::clock::{seconds, written};
 use dashpot_tests::cli::{campaign_folder, done, run, table};
@@ -7,7 +8,8 @@ use std::path::Path;
 /// Drift of the zero of the force channel, N/s.
 const DRIFT: f64 = 0.006;
 
-/// Writes the records as a German rig does, twelve minutes apart, each with its own time from zero on.
+/// Writes the records as a German rig does, twelve minutes apart, each with its own time from zero on, and adds
+/// [`DRIFT`] to the force.
 ///
 /// If `dated` is true, each file begins with a header that contains the date and time of the first row.
 fn measured(from: &Path, to: &Path, dated: bool) {
@@ -15,7 +17,7 @@ fn measured(from: &Path, to: &Path, dated: bool) {
     let mut files: Vec<_> = std::fs::read_dir(from).unwrap().map(|e| e.unwrap().path()).collect();
     files.retain(|path| path.extension().is_some_and(|e| e == "csv"));
     files.sort();
-    // The order in which the rig measured the files differs from the order of their names.
+    // The order of the start times differs from the order of the file names, so that a sort by name is detected.
     let count = files.len();
     for (k, path) in files.iter().enumerate() {
         let start = 720.0 * ((5 * k + 3) % count) as f64;

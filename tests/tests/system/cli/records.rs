@@ -1,4 +1,4 @@
-//! Records from rigs through the command: profiles, delayed channels, gaps, and one file with two paths.
+//! Tests of `dashpot` with records as rigs write them: profiles, delayed channels, gaps, and one file with two paths.
 
 use dashpot_tests::cli::{HEADER, campaign_folder, done, json, refused, rewrite, row, run, table};
 use std::fs;
@@ -20,7 +20,7 @@ fn a_mapping_is_said_once_and_every_verb_obeys_it() {
     });
     fs::write(dir.join("data/warmup.csv"), fs::read(dir.join("data/a50mm_v0262mm_s.csv")).unwrap()).unwrap();
     fs::write(dir.join("data/Notizen.txt"), "Montag\n").unwrap();
-    // Without the mapping, the message names the missing unit and its flag.
+    // Without a profile of columns and units, the message names the missing unit and its flag.
     assert!(refused(dir, &["fit", "data", "-o", "m.toml"]).contains("--unit displacement=mm"));
     let said = [
         "import-profile",
@@ -47,7 +47,7 @@ fn a_mapping_is_said_once_and_every_verb_obeys_it() {
     let fit = run(dir, &["fit", "data", "-o", "a.toml", "--model", "fv"]);
     assert!(fit.err.contains("Notizen.txt") && fit.err.contains("read as data/campaign.toml says"), "{}", fit.err);
     done(dir, &["validate", "a.toml", "data", "--json", "v.json"]);
-    // The displacements read by the profile equal those of the original records.
+    // The displacements that are read with the profile equal those of the original records.
     done(dir, &["simulate", "a.toml", "data/a50mm_v0262mm_s.csv", "-o", "f1.csv"]);
     done(dir, &["simulate", "a.toml", "records/a50mm_v0262mm_s.csv", "-o", "f2.csv", "--ignore", "velocity"]);
     let (one, two) = (table(&dir.join("f1.csv")).1, table(&dir.join("f2.csv")).1);
@@ -76,7 +76,8 @@ fn a_late_force_is_told_and_corrected() {
         let path = entry.unwrap().path();
         let rows = table(&path).1;
         let mut text = format!("{HEADER}\n");
-        // Delay the force channel by `late` seconds: interpolate the force linearly at this much earlier time.
+        // The force channel is delayed by `late` seconds: its value is the force, linearly interpolated, at the time
+        // `late` seconds earlier.
         let mut k = 0;
         for r in &rows {
             while k + 2 < rows.len() && rows[k + 1][0] <= r[0] - late {

@@ -1,5 +1,5 @@
-//! One campaign has one result. It is independent of the number of threads, and of signs, units and number format in
-//! the files.
+//! Tests that the result for a campaign is independent of the number of threads, and of signs, units and number format
+//! in the files.
 
 use dashpot_tests::cli::{contents, done, json, rewrite, run_with, small_campaign};
 use serde_json::Value;
@@ -24,7 +24,8 @@ fn the_number_of_threads_changes_no_byte() {
     }
 }
 
-/// Returns the fit's estimates: name with index, value, and the width of the interval (0 without an interval).
+/// Returns the estimates of a fit from its JSON: name with index, value, and the width of the interval (0 without an
+/// interval).
 fn estimates(path: &Path) -> Vec<(String, f64, f64)> {
     let parameters = json(path)["parameters"].as_array().unwrap().clone();
     let of = |p: &Value| {

@@ -1,4 +1,4 @@
-//! `dashpot simulate`: the force for any motion equals the kernel's.
+//! Tests of `dashpot simulate`: the force for any motion equals the kernel's.
 
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
@@ -25,7 +25,7 @@ fn model() -> Model {
     Model::new(&params).unwrap()
 }
 
-/// Returns displacement and velocity of a sum of two sines, m and m/s.
+/// Returns displacement, m, and velocity, m/s, of a sum of two sines at the time `t`, s.
 fn motion(t: f64) -> (f64, f64) {
     let (a, b) = (2.0 * TAU, 13.0 * TAU);
     (0.02 * (a * t).sin() + 0.001 * (b * t).sin(), 0.02 * a * (a * t).cos() + 0.001 * b * (b * t).cos())
@@ -91,7 +91,7 @@ fn numbers_of_an_element_that_is_off_are_told_by_every_verb() {
 fn the_force_is_the_kernels_to_the_bit() {
     let folder = folder();
     let dir = folder.path();
-    // The time steps are uneven.
+    // The time steps are uneven: 1.2, 1.2 and 0.6 ms in turn.
     let times: Vec<f64> = (0..600).map(|i| 1e-3 * f64::from(i) + 2e-4 * f64::from(i % 3)).collect();
     write(&dir.join("both.csv"), &["time_s", "displacement_m", "velocity_m_s"], times.iter().copied());
     let answered = forces(dir, &["both.csv"]);

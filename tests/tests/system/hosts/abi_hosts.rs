@@ -1,4 +1,4 @@
-//! C and C++ hosts run a rig test with the built library and agree with the Rust kernel bit for bit.
+//! Tests that C and C++ programs that use the built library give the forces of the Rust kernel bit for bit.
 
 use dashpot_core::number;
 use std::fmt::Write as _;
@@ -12,7 +12,7 @@ use dashpot_tests::library::{Language, Linkage, host, succeed};
 
 const SANITIZERS: [&str; 3] = ["-fsanitize=address,undefined", "-fno-sanitize-recover=all", "-fno-omit-frame-pointer"];
 
-/// A model with the features that the default lacks: internal states, side force, piecewise curve.
+/// Model file with features that the default model lacks: internal states, side force, piecewise FV curve.
 const MODEL: &str = r#"
 format = 1
 elements = ["fv_curve", "series_compliance", "stribeck_friction", "side_force_friction", "gas_preload", "lagged_polynomial"]
@@ -24,14 +24,14 @@ method = "second_order"
 substeps = 2
 "#;
 
-/// One sample of the rig's motion.
+/// Input of the damper at one sample of the motion, and the time since the preceding sample, s.
 struct Sample {
     input: Input,
     dt: f64,
 }
 
-/// Makes 600 samples of a sine that begins at zero displacement. `input` makes the kernel's input from displacement and
-/// velocity.
+/// Makes 600 samples of a sine that begins at zero displacement, with `amplitude` in m, `frequency` in Hz and `dt` in
+/// s. `input` makes the kernel's input from displacement, m, and velocity, m/s.
 fn sine(amplitude: f64, frequency: f64, dt: f64, input: impl Fn(f64, f64) -> Input) -> Vec<Sample> {
     let w = std::f64::consts::TAU * frequency;
     let motion = |t: f64| input(amplitude * (w * t).sin(), amplitude * w * (w * t).cos());
@@ -44,8 +44,8 @@ fn hex(text: &mut String, numbers: &[f64]) {
     }
 }
 
-/// Formats the motion for the hosts, one line per sample: the mask of the known inputs, then the numbers as hexadecimal
-/// bits.
+/// Formats the motion for the host programs, one line per sample: the bit mask of the known inputs, then the numbers as
+/// hexadecimal bits.
 fn lines(samples: &[Sample]) -> String {
     let mut text = String::new();
     for Sample { input, dt } in samples {
@@ -60,7 +60,7 @@ fn lines(samples: &[Sample]) -> String {
     text
 }
 
-/// Formats the kernel's output in the format of the hosts.
+/// Formats the kernel's output in the format of the host programs.
 fn kernel(model: &Model, samples: &[Sample], force_alone: bool) -> String {
     let mut text = String::new();
     let mut state = model.steady_state(&Input::motion(0.0, 0.0));
@@ -117,7 +117,7 @@ fn agrees(source: &str, language: Language, linkage: Linkage, flags: &[&str]) {
         };
         let runs = [
             ("step", sine(0.02, 1.5, 1e-3, Input::motion)),
-            // The motion leaves the velocity range of the FV curve.
+            // The velocity of this motion leaves the range of the FV curve, so the library returns a warning.
             ("step", sine(0.025, 20.0, 5e-4, everything)),
             ("step", sine(0.02, 8.0, 1e-3, velocity_alone)),
             ("force", sine(0.02, 8.0, 1e-3, velocity_alone)),
@@ -176,8 +176,8 @@ fn copies_batches_and_runs_in_place_are_the_same_run() {
     checks("copies.c");
 }
 
-/// Checks that no function needs more stack than the 16 KB that the header promises. The program measures each function
-/// on a separate stack.
+/// Checks that no function of the library needs more than 16 KB of stack, the limit that the header states. The program
+/// `stack.c` measures each function on a separate stack.
 #[test]
 fn no_function_takes_more_than_16_kilobytes_of_stack() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -187,7 +187,7 @@ fn no_function_takes_more_than_16_kilobytes_of_stack() {
     println!("{depths}");
 }
 
-/// Checks that the example at the top of the header compiles and runs unchanged.
+/// Checks that the example at the top of `include/dashpot.h` compiles and runs unchanged.
 #[test]
 fn the_headers_example_runs() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).expect("include/dashpot.h");

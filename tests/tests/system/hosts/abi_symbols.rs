@@ -1,4 +1,4 @@
-//! Imports and exports of the built library.
+//! Tests of the imported and exported symbols, size and data of the built shared library.
 
 use std::process::Command;
 
@@ -53,13 +53,12 @@ fn exports_what_the_header_declares_and_nothing_else() {
     assert_eq!(exported, declared);
 }
 
-/// Checks the size of the library, which reveals an accidental second compilation of the step, for example for an
-/// element or number type.
+/// Checks the size of the library. A larger size reveals an accidental second compilation of the step function, for example for an element
+/// or number type.
 ///
-/// The size is 964 KB with Rust 1.95, of which 450 KB are for the ordinary damper. An adjustable damper needs
-/// another 450 KB, because its tables are borrowed and its step is therefore compiled separately. If all sets of elements
-/// shared one compiled stage, the size would be 837 KB. A step with an oil column would then take 10,500 instructions
-/// instead of 6,500.
+/// The size is 964 KB with Rust 1.95, of which 450 KB are for the ordinary damper. An adjustable damper needs another 450 KB, because its
+/// tables are borrowed and its step is therefore compiled separately. If all sets of elements shared one compiled stage of the integration
+/// method, the size would be 837 KB. A step with an oil column would then take 10,500 instructions instead of 6,500.
 #[test]
 fn is_no_larger_than_it_was() {
     let size = std::fs::metadata(shared()).expect("the library").len();

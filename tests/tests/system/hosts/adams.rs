@@ -1,4 +1,5 @@
-//! The damper inside a solver: the shipped library, loaded by a stand-in for Adams, compared with the kernel.
+//! Tests of the damper inside a solver: a stand-in for Adams loads the shipped library, and the forces are compared
+//! with those of the kernel.
 
 use dashpot_core::{Input, Model, Params, State, evaluate::evaluate, model_file};
 use dashpot_tests::adams::{
@@ -61,8 +62,8 @@ fn private_states_and_side_force_agree_too() {
     }
 }
 
-/// Simulates a mass on spring and damper by a fourth-order method with short steps, from the kernel's state
-/// derivatives. Returns the SFORCE, N, at the accepted time points.
+/// Simulates a mass on a spring and a damper by a fourth-order method with short steps, from the kernel's state
+/// derivatives. Returns the SFORCE (Adams's single-component force), N, at the accepted time points.
 fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
     const MASS: f64 = 40.0;
     const SPRING: f64 = 30e3;
@@ -80,7 +81,7 @@ fn coupled(model: &Model, accepted: &[Accepted]) -> Vec<f64> {
         z.2.mass_velocity += h * k.2.mass_velocity;
         z
     };
-    // Find the static equilibrium, with the actuator at +amplitude, by bisection, because the force rises with
+    // Bisection finds the static equilibrium of the mass with the actuator at +amplitude, because the force rises with
     // displacement.
     let (mut low, mut high) = (-0.05, 0.05);
     for _ in 0..200 {
@@ -117,7 +118,8 @@ fn a_mass_on_the_damper_moves_as_with_the_kernel_whatever_the_steps() {
     let model = model_of(PLAIN);
     for routine in ROUTINES {
         for hmax in ["5e-3", "5e-4"] {
-            // With late=1 the solver accepts a time point without a preceding evaluation.
+            // With bad=1, the solver also evaluates time points that it does not accept. With late=1, it accepts a time
+            // point without a preceding evaluation.
             for bad in ["bad=0", "bad=1", "late=1"] {
                 let limit = format!("hmax={hmax}");
                 let settings = with(&path, &["mass=1", "frequency=3", "end=0.7", bad, &limit]);
@@ -198,8 +200,8 @@ fn dynamics_begin_where_statics_end() {
             assert!((sforce - want).abs() < 1e-3, "{routine}: {sforce} and {want}");
             let first = run.accepted();
             assert!((first[0].sforce - sforce).abs() < 1e-6, "{routine}");
-            // The force must not jump: the first steps take microseconds, and only friction reacts to velocities of
-            // micrometers per second.
+            // The force must not jump from the static equilibrium to the first step. The first steps take microseconds,
+            // and only friction reacts to velocities of micrometers per second.
             assert!((first[1].sforce - sforce).abs() < 0.5, "{routine}: {:?} after {sforce}", first[1]);
         }
     }
@@ -220,8 +222,8 @@ fn rebound_gives_a_negative_sforce() {
     }
 }
 
-/// Returns the argument `ns=` with the number of a GSE's states for this model file. The library's message for a GSE
-/// without states contains the number.
+/// Returns the argument `ns=` of the stand-in solver with the number of states of a GSE (Adams's general state
+/// equation) for this model file. The library's message for a GSE without states contains the number.
 fn states_wanted(solver: &Path, path: &Path) -> String {
     let refused = run(solver, "gse", &with(path, &["ns=0"]));
     let (_, after) = refused.text.split_once("needs NS=").unwrap_or_else(|| panic!("{}", refused.text));
@@ -251,7 +253,7 @@ fn every_element_of_the_model_agrees() {
                 let got = started(&solver, routine, &with(&path, &more)).accepted();
                 let share = deviation(&got, &kernel(&model, &got, 25.0, 3.0, Surroundings::NONE));
                 assert!(share < 1e-3, "{element} after {base}, {routine}: {:.4} %", 100.0 * share);
-                // A mass on the damper finds its equilibrium.
+                // The static analysis of a mass on the damper must find the equilibrium of the kernel.
                 let run = started(&solver, routine, &with(&path, &["mass=1", "end=0.002", &states]));
                 let (x, sforce) = run.statics();
                 let want = -model.static_output(&Input::motion(1e-3 * x, 0.0)).force;
@@ -264,8 +266,8 @@ fn every_element_of_the_model_agrees() {
 
 /// Checks that the Adams command LINEAR (analysis mode 7) linearizes the damper without dry friction.
 ///
-/// The eigenvalues follow from the kernel's derivatives without dry friction. In dynamics, the same matrix contains the
-/// stiffness of sticking friction, which would lock the damper.
+/// The expected eigenvalues follow from the kernel's derivatives without dry friction. In a dynamic analysis, the
+/// system matrix contains the stiffness of sticking friction, which would lock the damper.
 #[test]
 fn a_linearisation_is_not_locked_by_stuck_friction() {
     const MASS: f64 = 40.0;
@@ -309,15 +311,16 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
         let damping = (force(x, 1e-6) - force(x, -1e-6)) / 2e-6;
         for matrix in matrices(7) {
             let values: Vec<_> = matrix.complex_eigenvalues().iter().copied().collect();
-            // Compute the eigenvalues of a mass on this spring and damper.
+            // The expected values are the eigenvalues of the mass on this spring and a damper with the kernel's
+            // derivatives.
             let (half, rest) = (-0.5 * damping / MASS, stiffness / MASS - (0.5 * damping / MASS).powi(2));
             let wanted: Vec<(f64, f64)> = if rest > 0.0 {
                 vec![(half, rest.sqrt()), (half, -rest.sqrt())]
             } else {
                 vec![(half + (-rest).sqrt(), 0.0), (half - (-rest).sqrt(), 0.0)]
             };
-            // A GSE also contains the series spring, which changes the fast mode. The slow mode is the motion of the
-            // body on its damper.
+            // A GSE also contains the series spring, which changes the fast mode. The slow mode, the motion of the mass
+            // on the damper, is compared.
             for (re, im) in if routine == "gse" { &wanted[..1] } else { &wanted[..] } {
                 let nearest = values.iter().map(|v| (v.re - re).hypot(v.im - im)).fold(f64::MAX, f64::min);
                 assert!(nearest < 0.02 * re.hypot(*im), "{routine}: {values:?} for {wanted:?}");
@@ -325,7 +328,7 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
             assert!(values.iter().all(|v| v.re < 1e-6), "{routine}: {values:?}");
             pairs.push(values);
         }
-        // In dynamics the same matrix contains the derivatives of the friction.
+        // In a dynamic analysis (mode 4), the system matrix contains the derivatives of the friction.
         let [dynamic, _] = matrices(4);
         if routine != "gse" {
             assert!(
@@ -337,8 +340,8 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
     println!("{pairs:?}");
 }
 
-/// Checks the setting of an adjustable damper. It is the fifth input of a GSE. For an SFORCE or GFORCE, it is a
-/// VARIABLE with a given id.
+/// Checks the setting of an adjustable damper in Adams. The setting is the fifth input of a GSE. For an SFORCE or
+/// GFORCE, it is a VARIABLE with a given id.
 #[test]
 fn a_variable_of_the_solver_is_the_setting() {
     let folder = tempfile::tempdir().unwrap();

@@ -12,7 +12,7 @@ use std::path::Path;
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_preload\", \
                      \"lagged_polynomial\"]\npolynomial = [3.0, 400.0, -25.0, 60.0]\ngas_force = 141.5\n";
 
-/// Returns the statements of a dataset by `NAME/id`, with continuation lines joined and comments omitted.
+/// Returns the statements of an Adams dataset by `NAME/id`, with continuation lines joined and comments omitted.
 fn statements(text: &str) -> BTreeMap<String, String> {
     let mut all: Vec<(String, String)> = Vec::new();
     for line in text.lines().filter(|l| !l.starts_with('!')) {
@@ -30,7 +30,7 @@ fn statements(text: &str) -> BTreeMap<String, String> {
     map
 }
 
-/// Asserts that every command of the file has only options of the command reference of Adams View.
+/// Asserts that every command of an Adams View command file has only options of the command reference.
 fn only_documented_options(cmd: &str) {
     let known: &[(&str, &str)] = &[
         ("data_element create string", "string_name string"),
@@ -123,7 +123,7 @@ fn the_run_folder_holds_what_its_page_says_and_runs() {
     assert_eq!(acf.matches("SIMULATE/DYNAMICS").count(), matrix.points().len());
     assert!(acf.starts_with("rig\nrig\n") && acf.trim_end().ends_with("STOP"));
 
-    // The GSE of the command file matches the library.
+    // The GSE (general state equation) of the command file has the numbers of states and outputs of the library.
     let cmd = read("damper.cmd");
     let gse = options(&cmd, "part create equation general_state_equation");
     assert_eq!(gse["output_equation_count"], "9", "all that the library gives");
@@ -175,11 +175,11 @@ fn a_property_file_comes_back_as_it_was() {
     assert!(xml.contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"141.5\""));
 }
 
-/// Checks the points of the exported curve. Adams interpolates with Akima's method, which exceeded a curve with too few
-/// points next to a knee by 60 %.
+/// Checks the points of an FV curve in a property file. Adams interpolates with Akima's method, which exceeded a curve
+/// with too few points next to a knee by 60 %.
 ///
-/// The export has enough points and states the largest remaining deviation. An import of another program's file gives
-/// the curve that Adams interpolates from that file.
+/// The exported curve has enough points, and the export states the largest remaining deviation. An import of another
+/// program's file gives the curve that Adams interpolates from that file.
 #[test]
 fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_round() {
     let folder = tempfile::tempdir().unwrap();
@@ -210,7 +210,7 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     for text in [&said, &at("car.toml")] {
         assert!(text.contains("Akima") && text.contains("were added to those of the file"), "{text}");
     }
-    // This table has more rows than the curve of a model may have points.
+    // This property file has more rows than an FV curve of a model may have points.
     let force = |v: f64| if v < 0.0 { 0.5 } else { 1.0 } * 1000.0 * (v / 90.0).tanh() + 0.6 * v;
     let rows: String = (-100..=100).map(|i| 12.5 * f64::from(i)).map(|v| format!("{v} {:.3}\n", force(v))).collect();
     let car = car.split("-1270").next().unwrap().to_owned() + &rows;
@@ -227,8 +227,8 @@ fn adams_reads_the_curve_of_the_model_from_a_property_file_and_the_other_way_rou
     }
 }
 
-/// Checks that both forms of the file state the omitted effects and the model. An import of dashpot's own XML restores
-/// curve and gas force.
+/// Checks that both forms of a property file (text and XML) state the omitted effects and the model. An import of
+/// dashpot's own XML restores FV curve and gas force.
 #[test]
 fn what_a_property_file_leaves_out_is_said() {
     let folder = tempfile::tempdir().unwrap();
@@ -246,7 +246,7 @@ fn what_a_property_file_leaves_out_is_said() {
         let back = at("back.toml");
         assert_eq!(back.contains("gas_force = 141.5"), held, "{back}");
         assert!(back.contains(&format!("# Read from {name}.")), "{back}");
-        // A second export writes the same numbers.
+        // An export of the imported model writes the same numbers.
         let again = format!("again-{name}");
         done(folder.path(), &["export", "dpr", "back.toml", "-o", &again]);
         let numbers = |text: String| -> Vec<f64> {
@@ -261,14 +261,14 @@ fn what_a_property_file_leaves_out_is_said() {
     assert!(at("a.xml").contains("<afc ") && at("a.xml").contains("gasPreloadMethod=\"constant\""));
 }
 
-/// Tables of a fit in a model file.
+/// Table in a model file with the fit of the FV curve alone.
 ///
-/// The FV curve alone, fitted to the same tests, includes the friction. In the model, friction is a separate element.
+/// This curve includes the friction. In the model, friction is a separate element.
 const FIT: &str = "\n[identification.fv_only]\nvelocity = [-1.0, -0.01, 0.0, 0.01, 1.0]\nforce = [-640.0, -50.0, 0.0, 50.4, 1340.0]\n\
                    gas_force = 150.0\n";
 
-/// Checks the curve for a host that supports only a curve. This is the best fit of an FV curve alone, with a note on
-/// its origin. An option selects the model's own curve instead.
+/// Checks the FV curve that a property file contains, because its host supports only a curve. It is the best fit of an
+/// FV curve alone, with a note on its origin. An option selects the curve of the whole model instead.
 #[test]
 fn a_property_file_holds_the_plain_curve_of_the_fit() {
     let folder = tempfile::tempdir().unwrap();
@@ -290,20 +290,20 @@ fn a_property_file_holds_the_plain_curve_of_the_fit() {
     done(folder.path(), &["export", "dpr", "damper.toml", "-o", "a.xml"]);
     assert!(at("a.xml").contains("gasPreloadMethod=\"constant\" gasPreloadConstant=\"150.0\""), "{}", at("a.xml"));
 
-    // A manually tuned file still contains the tables of its fit. The FV curve alone in these tables does not fit the
-    // tuned damper.
+    // A manually tuned model file still contains the tables of its fit. The FV curve alone in these tables does not fit
+    // the tuned damper, so the export does not use it.
     let intervals = "\n[identification.intervals]\ngas_force = [100.0, 120.0]\n";
     std::fs::write(folder.path().join("tuned.toml"), format!("{MODEL}{intervals}{FIT}")).unwrap();
     let said = done(folder.path(), &["export", "dpr", "tuned.toml", "-o", "b.dpr"]);
     assert!(said.contains("were changed after its fit") && !at("b.dpr").contains("50.4"), "{said}");
 
-    // A host that also runs the other elements keeps the model's own curve.
+    // For Adams with the library, which also runs the other elements, the export keeps the FV curve of the whole model.
     done(folder.path(), &["export", "adams", "damper.toml", "-o", "run", "--library", library().to_str().unwrap()]);
     assert_eq!(at("run/damper.toml"), format!("{MODEL}{FIT}"));
 }
 
-/// Checks that a newly identified damper replaces its own property file. A file of another program with the same
-/// beginning is kept.
+/// Checks that the export of a newly identified damper replaces its own older property file. A file of another program
+/// with the same beginning is kept.
 #[test]
 fn a_property_file_replaces_its_own_older_version_alone() {
     let folder = tempfile::tempdir().unwrap();
@@ -321,7 +321,7 @@ fn a_property_file_replaces_its_own_older_version_alone() {
     );
     assert_eq!(std::fs::read_to_string(at("vendor.xml")).unwrap(), vendor);
 
-    // Two models with the same title are not versions of one model.
+    // Two Adams models with the same title may be different models, so one must not replace the other.
     let car = |tail: &str| {
         format!(
             "Adams View model name: MODEL_1\nSFORCE/1\n, TRANSLATIONAL\n, I = 11\n, J = 12\n, FUNCTION = \
@@ -338,7 +338,7 @@ fn a_property_file_replaces_its_own_older_version_alone() {
     assert_eq!(std::fs::read_to_string(at("other.adm")).unwrap(), car("PART/2\n"));
 }
 
-/// Checks that a closed standard output is an error, whereas a discarded output is not.
+/// Checks that a closed standard output is an error, whereas an output to `/dev/null` is not.
 #[test]
 fn a_closed_standard_output_is_an_error() {
     let folder = tempfile::tempdir().unwrap();
@@ -358,7 +358,7 @@ fn a_closed_standard_output_is_an_error() {
 /// Reads real files of Adams Car from a user-defined folder (such as dampers.tbl of the public
 /// wokomm/PropertyView-mechanics).
 ///
-/// All files must be readable, and must still be so after an export. The test prints the messages of each import.
+/// All files must be readable, and their exports, too. The test prints the messages of each import.
 #[test]
 fn real_property_files_are_read() {
     let Some(from) = std::env::var_os("DASHPOT_ADAMS_PROPERTY_FILES") else {
@@ -384,8 +384,8 @@ fn real_property_files_are_read() {
     assert!(read > 0);
 }
 
-/// Checks that the command writes the Adams library without a compiler. If the command did not contain the library, the
-/// README.txt of the folder would say so.
+/// Checks that `dashpot export adams` writes the Adams library without a compiler. If the program did not contain the
+/// library, the README.txt of the run folder would state this.
 #[test]
 fn a_run_folder_holds_its_library() {
     dashpot_tests::fmu::runtimes();
@@ -435,19 +435,19 @@ fn several_models_go_in_at_once_and_what_is_lost_is_refused() {
     std::fs::write(folder.path().join("damper.toml"), "gas_force = 3\n").unwrap();
     let said = done(folder.path(), &with(&both));
     assert!(!said.contains("front.toml") && said.contains("will refuse the model file: damper.toml"), "{said}");
-    // With a decimal comma, the length would be 412 and the model file would be 5.
+    // With a decimal comma, the text could mean the length 412 mm and the model file `5`, so a message rejects it.
     for comma in ["SFORCE/1=412,5,front.toml", "SFORCE/1=412,5"] {
         let words = refused(folder.path(), &with(&["--damper", comma]));
         assert!(words.contains("decimal comma; write 412.5"), "{words}");
     }
-    // 28,000 nested brackets give an error and no crash.
+    // An expression with 28,000 nested brackets gives an error and no stack overflow.
     let deep = format!("Car\n{}{spline}", sforce(1, &format!("*{}1{}", "(".repeat(28_000), ")".repeat(28_000))));
     std::fs::write(folder.path().join("car.adm"), deep).unwrap();
     let words = refused(folder.path(), &with(&["--damper", "SFORCE/1=400"]));
     assert!(words.contains("nested"), "{words}");
 }
 
-/// Checks the unit of a length. Adams uses mm, so a length in m is rejected unless its unit is stated.
+/// Checks the unit of the option `--length`. Adams uses mm, so a length in m is rejected unless its unit is stated.
 #[test]
 fn a_length_says_its_unit_or_is_one_that_a_damper_has() {
     let folder = tempfile::tempdir().unwrap();
@@ -534,7 +534,7 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
         assert!(said.contains(&why), "{said}");
         assert!(said.contains("is of an earlier export"), "{said}");
         assert!(read_me.contains(&format!("cannot hold {element}.")), "{read_me}");
-        // In the README.txt, the reason precedes the list of files.
+        // In the README.txt, the reason for the missing native.adm precedes the list of files.
         let (why, list) =
             (read_me.find("There is no native.adm").unwrap(), read_me.find("the identified damper").unwrap());
         assert!(why < list, "{read_me}");
@@ -544,7 +544,7 @@ fn no_element_is_left_out_of_the_native_elements_without_a_word() {
 }
 
 /// Checks that the function expressions of the exported native.adm give the model's force within 1 % of the largest
-/// force. The expressions are evaluated unchanged between two markers that an actuator moves.
+/// force. The test evaluates the unchanged expressions between two markers that an actuator moves.
 #[test]
 fn the_native_elements_agree_with_the_model() {
     native_agrees(
@@ -553,8 +553,8 @@ fn the_native_elements_agree_with_the_model() {
     );
 }
 
-/// Checks the native elements of a damper with the elements of a default fit of the virtual rig, and with other forms
-/// of presliding friction.
+/// Checks the native Adams elements of the model of a default fit of the virtual rig, also with other forms of
+/// presliding friction.
 #[test]
 fn the_native_elements_hold_the_default_fit() {
     let fit = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"gas_preload\", \"presliding_friction\"]\n\
@@ -584,7 +584,7 @@ fn native_agrees(text: &str) {
         let motion = |t: f64| (-amplitude * (w * t).cos(), amplitude * w * (w * t).sin());
         let input = |t: f64| dashpot_core::Input::motion(1e-3 * motion(t).0, 1e-3 * motion(t).1);
         let mut state = model.steady_state(&input(0.0));
-        // Start in the static equilibrium of the model, like Adams.
+        // The simulation starts in the static equilibrium of the model, like Adams.
         let mut dif = [1e3 * (state.mass_displacement - state.displacement), 0.0, 0.0];
         let dt = 1e-5;
         let (mut worst, mut largest) = (0.0_f64, 0.0_f64);
@@ -600,7 +600,7 @@ fn native_agrees(text: &str) {
                     _ => panic!("{name}({of:?})"),
                 })
             };
-            // The method is semi-implicit, with a step of a hundredth of the mass's natural period.
+            // The integration of the internal mass is semi-implicit, with a step of a hundredth of its natural period.
             dif[1] += dt * at(&speed, dif);
             dif[0] += dt * at(&place, dif);
             if let Some(contact) = &contact {

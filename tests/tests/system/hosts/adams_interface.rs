@@ -1,4 +1,5 @@
-//! The interface between the library for Adams and the solver: utilities, units, partials, iflags, frames, threads.
+//! Tests of the interface between the library for Adams and the solver: utility functions, units, partial derivatives,
+//! flags of the call (iflag), coordinate frames, threads.
 
 use dashpot_core::Input;
 use dashpot_test_support::skipped;
@@ -108,7 +109,7 @@ fn the_sources_are_cpp_too() {
     }
 }
 
-/// Lists the utilities that an entry requires; all others are optional.
+/// Lists the solver's utility functions that a user subroutine of the library requires; all others are optional.
 fn needed(routine: &str) -> &'static [&'static str] {
     match routine {
         "gse" => {
@@ -128,8 +129,8 @@ fn a_missing_utility_is_named_and_one_that_is_not_needed_is_not_missed() {
     for utility in &all {
         let lacking = solver_without(utility);
         for routine in ROUTINES {
-            // Without c_errmes the library cannot stop the run. In this case the test makes one call, and the message
-            // goes to standard error.
+            // Without the utility c_errmes, the library cannot stop the run. In this case, the solver makes one call,
+            // and the message goes to standard error.
             let (silent, save) = (utility == "c_errmes", utility.contains("serialize") && routine != "gse");
             let what = if silent {
                 "iflag=0"
@@ -150,7 +151,7 @@ fn a_missing_utility_is_named_and_one_that_is_not_needed_is_not_missed() {
     }
 }
 
-/// C program that loads the library without a solver and calls all entries.
+/// C program that loads the library without a solver and calls all user subroutines.
 const OUTSIDE: &str = r#"
 #define _GNU_SOURCE
 #include "../adams-usersub/src/entry.h"
@@ -207,10 +208,10 @@ fn outside_adams_it_loads_and_answers_its_selftest() {
     }
 }
 
-/// Checks that the library finds the utilities of a solver that loads them locally, like an extension of an
+/// Checks that the library finds the utility functions of a solver that loads them locally, like an extension of an
 /// interpreter.
 ///
-/// The process contains the utilities, but the global scope of symbols does not.
+/// The process contains the utility functions, but the global scope of symbols does not.
 #[test]
 fn utilities_loaded_for_another_library_alone_are_found() {
     const UTILITIES: &str = "#include <stdio.h>\nvoid c_errmes(int e, const char *t, int id, const char *s) { (void)id; printf(\"%d %s %s\\n\", e, s, t); }\n";
@@ -247,7 +248,7 @@ int main(int count, char **words)
             .arg("-ldl"),
     );
     let told = succeed(Command::new(at("host")).arg(library()).arg(at("libutilities.so")));
-    // The utility prints the message. The message does not name the utility itself as missing.
+    // The utility c_errmes prints the message about missing functions. The message does not name c_errmes itself.
     assert!(told.contains("no function") && !told.contains("c_errmes"), "{told}");
 }
 
@@ -282,7 +283,7 @@ fn any_units_give_the_same_run_asked_or_given() {
     let solver = solver();
     let path = written(folder.path(), FULL);
     let states = format!("ns={FULL_STATES}");
-    // The unit systems are m, N and s; inch, pound-force and ms; mm, kN and s.
+    // The unit systems of the solver's model are m, N and s; inch, pound-force and ms; mm, kN and s.
     let systems = [(1.0, 1.0, 1.0), (0.0254, 4.448_221_615_260_5, 1e-3), (1e-3, 1e3, 1.0)];
     let run_in = |routine: &str, (length, force, time): (f64, f64, f64), given: &str| {
         let units = [format!("length_unit={length:?}"), format!("force_unit={force:?}"), format!("time_unit={time:?}")];
@@ -351,7 +352,7 @@ fn a_gforce_in_space_acts_along_the_line_between_its_ends() {
         let (i, j, vi, vj, guide, force) = (three(0), three(3), three(6), three(9), three(12), three(15));
         let apart = minus(i, j);
         let axis = apart.map(|c| c / size(apart));
-        // Compute the kernel's steady force for this length, velocity and transverse force.
+        // The expected tension is the kernel's steady force for this length, velocity and side force.
         let input = Input {
             side_force: size(cross(guide, axis)),
             ..Input::motion(1e-3 * (size(apart) - 400.0), 1e-3 * dot(minus(vi, vj), axis))
@@ -361,7 +362,7 @@ fn a_gforce_in_space_acts_along_the_line_between_its_ends() {
         let tension = dashpot_core::evaluate::force(&model, &state, &input).force;
         let want = axis.map(|c| -tension * c);
         assert!(size(minus(force, want)) < 1e-4 * (10.0 + tension.abs()), "{force:?} {want:?}");
-        // The force on I and its reaction at the same point of J's part give no torque about J's marker.
+        // The force on marker I and its reaction, which acts at this point of J's part, give no torque about marker J.
         let reaction = force.map(|c| -c);
         let torque = cross(minus(i, j), reaction);
         assert!(size(torque) < 1e-9 * size(force) * size(apart), "{torque:?}");
@@ -418,7 +419,8 @@ fn the_gse_is_declared_threadsafe_and_is() {
     let folder = tempfile::tempdir().unwrap();
     let solver = solver();
     let path = written(folder.path(), PLAIN);
-    // With threads=2, the threads make the first calls of the library.
+    // With threads=2, the threads make the first calls of the library in parallel, without an earlier call of one
+    // thread.
     for threads in ["threads=1", "threads=2"] {
         let run = started(&solver, "gse", &with(&path, &[threads]));
         assert_eq!(run.threads().len(), 4);
@@ -469,10 +471,12 @@ fn a_request_shows_what_makes_the_force() {
             assert!((v - last.v).abs() < 1e-9 * last.v.abs() && (mass + deflection - x).abs() < 1e-9, "{routine}");
             assert_eq!(memory != 0.0, has_memory, "{routine}: {memory}");
             if !has_memory {
-                // The series spring (3000 N/mm, 0.2 N s/mm) carries the total force minus friction, gas and stops.
+                // The series spring and damper (3000 N/mm, 0.2 N s/mm) carry the total force minus the forces of
+                // friction, gas and stops.
                 let series = 3000.0 * deflection + 0.2 * (last.v - mass_velocity);
                 assert!((series + friction + gas + stop - force).abs() < 1e-6 * force.abs(), "{routine}");
-                // The inertia of the internal mass, half a kilogram, is small.
+                // Primary force and spring force differ from the series force only by the inertia of the internal mass
+                // of 0.5 kg, which is small.
                 assert!(
                     (primary + spring - series).abs() < 0.02 * force.abs(),
                     "{routine}: {primary} {spring} {series}"
@@ -482,7 +486,7 @@ fn a_request_shows_what_makes_the_force() {
             let unknown = started(&solver, routine, &with(&path, &["end=0.01", "request=99"]));
             assert_eq!(unknown.request(), [0.0; 8]);
         }
-        // At a large displacement the stop carries force.
+        // At a displacement of up to 70 mm, the stop carries force.
         let far = ["amplitude=70", "frequency=1", "end=0.5", "page=2"];
         let run = started(&solver, "sfo", &with(&path, &far));
         let last = *run.accepted().last().unwrap();

@@ -54,7 +54,7 @@ fn the_datasets_are_whole() {
         begin = *end;
     }
 
-    // Fragments use only their own markers and two markers of the user's model.
+    // The fragments damper.adm and native.adm use only their own markers and two markers of the user's model.
     let read = |name: &str| std::fs::read_to_string(folder.path().join("run").join(name)).unwrap();
     let damper = dataset::read(&read("damper.adm"), false, &[11, 12]);
     assert_eq!(damper.len(), 4);
@@ -89,8 +89,8 @@ fn the_reader_refuses_what_is_broken() {
     }
 }
 
-/// Masses of tube and rod, kg, and the bushings between rod and ground (index 0) and between tube and rig (index 1),
-/// SI.
+/// Masses of tube and rod, kg, and stiffness, N/m, and damping, N s/m, of the two bushings. Index 0 is between rod and
+/// ground, index 1 between tube and rig.
 struct Rig {
     tube: f64,
     rod: f64,
@@ -98,8 +98,8 @@ struct Rig {
     damping: [f64; 2],
 }
 
-/// Returns the motion of the rig, mm and mm/s, in a test of the matrix. The test has one cycle of fade-in, two full
-/// cycles, and one cycle of fade-out.
+/// Returns displacement, mm, and velocity, mm/s, of the rig's actuator at the time `t`, s, of a test. The test has one
+/// cycle of fade-in, two full cycles, and one cycle of fade-out.
 fn moved(point: &dashpot_rig::TestPoint, t: f64) -> (f64, f64) {
     let (w, cycles) = (TAU * point.frequency_hz, t * point.frequency_hz);
     let rise = |s: f64| {
@@ -115,8 +115,8 @@ fn moved(point: &dashpot_rig::TestPoint, t: f64) -> (f64, f64) {
     (a * share * (w * t).sin(), a * (rate * (w * t).sin() + share * w * (w * t).cos()))
 }
 
-/// Displacements and velocities of tube and rod, SI, and the damper's state. The displacements are zero where the
-/// bushings carry no force.
+/// Displacement, m, and velocity, m/s, of the tube and then of the rod, and the damper's state. The displacements are
+/// zero where the bushings carry no force.
 #[derive(Clone, Copy)]
 struct Instant {
     y: [f64; 4],
@@ -135,8 +135,8 @@ impl Rig {
         (Instant { y, damper: rate }, output.force)
     }
 
-    /// Computes the SFORCE, N, at the accepted time points of a test that starts at the time `begin`. The method is of
-    /// fourth order, with short steps.
+    /// Computes the expected SFORCE, N, at the accepted time points of a test that starts at the time `begin`, s. The
+    /// method is of fourth order, with short steps.
     fn run(
         &self,
         model: &Model,
@@ -155,7 +155,8 @@ impl Rig {
         let mut t = 0.0;
         at.iter()
             .map(|accepted| {
-                // Friction is steep at the reversal, so the explicit method needs short steps there.
+                // Friction changes steeply with velocity at a reversal of motion, so the explicit method needs short
+                // steps there.
                 let slow = (now.y[3] - now.y[1]).abs() < 4e-3;
                 let n = ((accepted.t - begin - t) / if slow { 1e-5 } else { 2e-5 }).ceil().max(1.0);
                 let h = (accepted.t - begin - t) / n;
@@ -174,13 +175,13 @@ impl Rig {
             .collect()
     }
 
-    /// Computes the equilibrium of the damper with the rig at zero displacement.
+    /// Computes the equilibrium of tube, rod and damper with the rig's actuator at zero displacement.
     fn rest(&self, model: &Model) -> Instant {
         let (mut low, mut high) = (-0.01, 0.01);
         for _ in 0..100 {
             let x = 0.5 * (low + high);
             let force = model.static_output(&Input::motion(x, 0.0)).force;
-            // The bushings carry the force of the damper.
+            // The bushings carry the force of the damper, so their deflections change the length of the damper.
             let apart = -force / self.stiffness[0] - force / self.stiffness[1];
             if apart > x { low = x } else { high = x }
         }
@@ -203,7 +204,8 @@ fn the_exported_rig_runs_the_matrix_as_the_kernel_does() {
         damping: [1, 2].map(|id| si("BUSHING", id, "C", 1e3)),
     };
     let model = model_of(PLAIN);
-    // Replace the path in the STRING, which is relative to the run folder, because the solver runs in another folder.
+    // The argument `model` replaces the path of the model file in the STRING. That path is relative to the run folder,
+    // but the solver runs in another folder.
     let acf = format!("dataset={}", folder.path().join("run/rig.acf").display());
     let string = format!("model={}", folder.path().join("run/damper.toml").display());
     // Only the sines run. The slow cycles after the sines would take minutes and test nothing new.

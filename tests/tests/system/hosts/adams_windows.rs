@@ -1,4 +1,5 @@
-//! The library for Adams on Windows: built on Linux with mingw-w64, inspected, and run with Wine if available.
+//! Tests of the library for Adams on Windows: it is built on Linux with mingw-w64, inspected, and run with Wine if Wine
+//! is available.
 
 use dashpot_core::{Input, evaluate::force};
 use dashpot_test_support::{skipped, target_folder};
@@ -10,7 +11,7 @@ use std::process::Command;
 const TARGET: &str = "x86_64-pc-windows-gnu";
 const COMPILER: &str = "x86_64-w64-mingw32-gcc";
 
-/// Returns the name of the missing tool for a Windows build, or `None`.
+/// Returns the name of a missing tool for a Windows build, or `None` if all tools are available.
 fn missing() -> Option<&'static str> {
     if Command::new(COMPILER).arg("--version").output().is_err() {
         return Some("x86_64-w64-mingw32-gcc (Debian: gcc-mingw-w64-x86-64)");
@@ -75,11 +76,11 @@ fn the_windows_library_exports_its_entries_needs_only_windows_and_runs() {
     let mut wine = Command::new("wine");
     wine.args(["host.exe", "AsUtility.dll", "dashpot_adams.dll", "damper.toml"]).current_dir(folder.path());
     let text = succeed(wine.env("WINEPREFIX", folder.path().join("wine")).env("WINEDEBUG", "-all"));
-    // End Wine's server of this folder, if it still runs.
+    // This command ends Wine's server of this test, if it still runs.
     Command::new("wineserver").arg("-k").env("WINEPREFIX", folder.path().join("wine")).output().unwrap();
     assert!(text.contains("selftest 0"), "{text}");
     assert!(text.contains("usrmes 1 INFO dashpot: model file damper.toml, 2 states"), "{text}");
-    // Compute the steady force at the motion of `tests/adams/windows.c`: 10 mm and 150 mm/s.
+    // The expected force is the kernel's steady force at the motion of `tests/adams/windows.c`, 10 mm and 150 mm/s.
     let (model, input) = (model_of(PLAIN), Input::motion(0.01, 0.15));
     let want = -force(&model, &model.steady_state(&input), &input).force;
     let line = text.lines().find_map(|l| l.trim().strip_prefix("sforce ")).unwrap();

@@ -1,4 +1,5 @@
-//! Accuracy of the bridge at host steps from 0.25 to 2 ms, compared with the converged solution over the test matrix.
+//! Tests of the accuracy of the simulator bridge (`vi-crt-bridge`) at host steps from 0.25 to 2 ms. The reference is
+//! the converged solution over the test matrix.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
@@ -13,7 +14,8 @@ use std::process::Command;
 const STEPS: [f64; 4] = [FINEST, 0.5e-3, 1e-3, 2e-3];
 const FINEST: f64 = 0.25e-3;
 
-/// Returns every second fast test of the matrix, including the fastest test. Slow tests are exact at any step.
+/// Returns every second test of the matrix above 1.5 Hz, including the fastest test. Slower tests are accurate at any
+/// of these steps.
 fn matrix() -> Vec<Sine> {
     let all = Matrix::default();
     let fast = all.points().iter().filter(|p| p.frequency_hz > 1.5).rev().step_by(2);
@@ -24,7 +26,8 @@ fn doubles(bytes: &[u8]) -> Vec<f64> {
     bytes.chunks_exact(8).map(|b| f64::from_le_bytes(b.try_into().expect("eight bytes"))).collect()
 }
 
-/// Returns the forces of the bridge, tension positive, for several tests. Each test starts from its own equilibrium.
+/// Returns the forces of the bridge, N, tension positive, for several tests with the step `dt`, s. Each test starts
+/// from its own equilibrium.
 fn through_the_bridge(program: &Path, model: &Path, tests: &[(Sine, usize)], dt: f64) -> Vec<Vec<f64>> {
     let folder = model.parent().expect("a folder");
     let mut requests: Vec<u8> = Vec::new();
@@ -46,7 +49,8 @@ fn through_the_bridge(program: &Path, model: &Path, tests: &[(Sine, usize)], dt:
     tests.iter().map(|(_, steps)| all.by_ref().take(steps + 1).collect()).collect()
 }
 
-/// Returns the largest errors of a model at each host step, relative to the largest force of the test.
+/// Returns the largest rms and maximum errors of a model over all tests at each host step, relative to the largest
+/// force of the test.
 fn measured(program: &Path, text: &str, tests: &[Sine]) -> Vec<Errors> {
     let folder = tempfile::tempdir().expect("a directory");
     let file = folder.path().join("model.toml");
@@ -71,7 +75,8 @@ fn measured(program: &Path, text: &str, tests: &[Sine]) -> Vec<Errors> {
 }
 
 /// Elements in addition to FV curve and series spring, and further lines of the model file. Cavitation is excluded,
-/// because Radau steps do not resolve the impact of a closing void. The kernel's own tests cover cavitation.
+/// because the steps of the reference solution (Radau method) do not resolve the impact of a closing void. The kernel's
+/// own tests cover cavitation.
 const MODELS: [(&str, &str); 19] = [
     ("parallel_spring\", \"stribeck_friction\", \"viscous_friction\", \"gas_preload", ""),
     ("gas_preload", "series_stiffness = 1e7\ninternal_mass = 0.1"),
@@ -94,8 +99,8 @@ const MODELS: [(&str, &str); 19] = [
     ("moving_mass", ""),
 ];
 
-/// Checks that the accuracy guaranteed at 1 ms holds at every host step: relative to the largest force, 0.1 % rms and
-/// at most 1 %.
+/// Checks that the accuracy that the kernel guarantees at 1 ms holds at every host step. The error relative to the
+/// largest force is below 0.1 % rms and 1 % at most.
 #[test]
 fn every_host_step_is_as_exact_as_the_kernels_table_says() {
     let folder = tempfile::tempdir().expect("a directory");

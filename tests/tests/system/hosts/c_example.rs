@@ -1,4 +1,5 @@
-//! The example C program runs a model file like the kernel, and reports errors in an invalid file.
+//! Tests that the example C program (`examples/damper.c`) gives the forces of the kernel, and reports errors in an
+//! invalid model file.
 
 use dashpot_core::number;
 use dashpot_core::{Input, Model, Params, step};
@@ -8,7 +9,7 @@ use std::io::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output, Stdio};
 
-/// Compiles the example as a user does.
+/// Compiles the example as a user does, and returns the path of the program.
 fn example(folder: &Path) -> PathBuf {
     let source = library::root().join("examples/damper.c");
     library::host(source.to_str().unwrap(), library::Language::C, library::Linkage::Static, &[], folder)

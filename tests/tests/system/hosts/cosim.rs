@@ -1,7 +1,7 @@
-//! An exported FMU in co-simulation hosts other than FMPy.
+//! Tests of an exported FMU in co-simulation hosts other than FMPy.
 //!
 //! The hosts are libcosim of the Open Simulation Platform, which uses the FMI Library, and Ecos, which has its own FMI
-//! library. The force of every step equals the library's.
+//! library. The force of every step must equal that of the C library `libdashpot`.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{directory, root};
@@ -11,7 +11,8 @@ use std::process::Command;
 const MODEL: &str =
     "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"presliding_friction\", \"gas_spring\"]\n";
 
-/// Runs three motions in the host, whose forces must equal the library's. Returns the host's messages.
+/// Runs three motions of an FMU in the host that `script` starts. The forces must equal those of the C library. Returns
+/// the host's messages.
 fn the_force_is_that_of_the_library(packages: &str, script: &str, fmi: &str) -> Option<String> {
     let python = python_with(packages)?;
     let at = tempfile::tempdir().expect("a directory");

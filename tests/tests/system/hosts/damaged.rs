@@ -1,6 +1,6 @@
-//! Damaged channel maps and FMU resources through the C readers, with the compiler's memory checks.
+//! Tests of the readers in C with damaged channel maps and FMU resources, under the compiler's memory checks.
 //!
-//! Each file is accepted or rejected, without memory access outside of the file's block.
+//! Each file must be accepted or rejected, without memory access outside of the block that contains the file.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::MODEL;
@@ -11,7 +11,7 @@ use dashpot_tests::python::{has_python, python};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Compiles the program that damages and reads files; `None` if the compiler has no memory checks.
+/// Compiles the program that damages and reads files. Returns `None` if the compiler has no memory checks.
 fn watched(at: &Path) -> Option<PathBuf> {
     let program = at.join("damaged");
     let mut build = compiler(Language::C);

@@ -1,5 +1,5 @@
-//! The FMU in an independent host. FMPy validates and runs all four kinds: FMI 2 and 3, each with one corner and with
-//! four.
+//! Tests of exported FMUs in an independent host. FMPy validates and runs all four kinds: FMI 2 and 3, each with one
+//! corner and with four.
 
 use dashpot_core::parameter::{Shape, table};
 use dashpot_core::{Model, Params, model_file};
@@ -54,8 +54,8 @@ fn entries(fmu: &Path) -> Vec<String> {
     succeed(Command::new(python()).args(["-c", list]).arg(fmu)).lines().map(str::to_owned).collect()
 }
 
-/// Checks that an export needs no compiler. The command contains the runtime, which reads the model from the FMU's
-/// resources.
+/// Checks that an export needs no compiler. The program `dashpot` contains the runtime, which reads the model from the
+/// FMU's resources.
 #[test]
 fn no_compiler_is_needed_and_sources_may_stay_at_home() {
     if !has_python() {
@@ -90,12 +90,12 @@ fn no_compiler_is_needed_and_sources_may_stay_at_home() {
     }
 }
 
-/// Asserts that an obfuscated FMU gives the same forces bit for bit, without parameter values in description or
-/// resources.
+/// Asserts that an FMU with hidden parameters gives the forces of an open FMU bit for bit, without parameter values in
+/// description or resources.
 fn runs_hidden(fmi: &str, four: bool) {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();
-    // These numbers occur nowhere else in the files.
+    // These numbers of the model occur nowhere else in the files of an FMU.
     let model = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"stribeck_friction\", \"gas_preload\"]\n\
                  fv_velocity = [-1.0, -0.123457, 0.0, 0.123457, 1.0]\nfv_force = [-601.137, -251.731, 0.0, 401.373, 1301.917]\n\
                  series_stiffness = 1730411.0\ngas_force = 141.771\n";
@@ -112,7 +112,7 @@ mod hidden {
     dashpot_tests::each_fmu!(runs_hidden);
 }
 
-/// Checks that the export rejects a library that the compiler has built for another system.
+/// Checks that the export rejects a shared library that the compiler has built for another operating system.
 #[test]
 fn a_library_for_another_system_is_refused() {
     runtimes();
@@ -130,8 +130,8 @@ fn a_library_for_another_system_is_refused() {
     assert!(!at.join("x.fmu").exists());
 }
 
-/// Checks that an importer that compiles (`fmpy compile`) finds all required files in the description. The forces must
-/// equal those of the bridge.
+/// Checks that an importer that compiles the FMU's sources (`fmpy compile`) finds all required files in the
+/// description. The forces must equal those of the bridge (`vi-crt-bridge`).
 #[test]
 fn fmpy_compiles_it() {
     if !has_python() {
@@ -164,8 +164,8 @@ fn unpacked(fmu: &Path, to: &Path) {
     succeed(Command::new(python()).args(["-c", unzip]).arg(fmu).arg(to));
 }
 
-/// Checks that the description contains exactly the rows of the parameter table for the enabled elements, with
-/// unchanged values.
+/// Checks that the FMU's description contains exactly the rows of the kernel's parameter table for the enabled
+/// elements, with unchanged values.
 #[test]
 fn the_description_is_the_parameter_table() {
     if !has_python() {
@@ -192,7 +192,7 @@ fn the_description_is_the_parameter_table() {
             assert!(!can("canBeInstantiatedOnlyOncePerProcess") && !can("needsExecutionTool"));
             assert!(kind == "me" || can("canHandleVariableCommunicationStepSize"));
         }
-        // The states of a corner are the damper's displacement, deflection and velocity of the internal mass, and the
+        // The states of a corner are displacement of the damper, deflection and velocity of the internal mass, and the
         // states of the elements.
         let corners: &[&str] = if four { &["L1.", "R1.", "L2.", "R2."] } else { &[""] };
         let memories = Model::new(&params).expect("a model").elements().memories();
@@ -246,7 +246,7 @@ fn the_description_is_the_parameter_table() {
         }
         let own = ["motion_scale", "force_scale", "position_offset", "displacement_given", "initial_position"];
         let parameters = variables.values().filter(|v| v["causality"] == "parameter").count();
-        // The additional parameter is inputs_between_points, which belongs to the whole FMU.
+        // The number 1 is for the parameter inputs_between_points, which belongs to the whole FMU.
         assert_eq!(parameters, expected + corners.len() * own.len() + 1, "parameters that are in no table");
         assert!(rows > 30 * corners.len(), "{rows}");
         for (name, v) in variables {
@@ -261,7 +261,7 @@ fn the_description_is_the_parameter_table() {
 
 /// Checks that an FMU that is recompiled from its unpacked sources gives the bridge's forces bit for bit.
 ///
-/// The test uses the included compiled kernel, and a kernel compiled from the included sources.
+/// The test links the compiled kernel in the FMU, and a kernel compiled from the sources in the FMU.
 #[test]
 fn its_sources_are_all_it_needs() {
     if !has_python() {
@@ -287,7 +287,8 @@ fn its_sources_are_all_it_needs() {
             .env_remove("CARGO_TARGET_DIR")
             .env_remove("TARGET");
         if kernel.is_empty() {
-            // The variable PATH has the folders of the C compiler, and no cargo is available.
+            // The variable PATH has the folders of the C compiler, and no cargo is available, so the build must not
+            // need Rust.
             build.env("CARGO", "none").env("PATH", "/usr/bin:/bin");
         }
         succeed(&mut build);
@@ -302,8 +303,8 @@ fn its_sources_are_all_it_needs() {
     }
 }
 
-/// Builds the host program for Windows and writes the trace of the bridge. Returns the GUID of the FMU. Reports a skip
-/// and returns `None` if wine or mingw-w64 is missing.
+/// Builds the host program for Windows and writes the trace of the bridge's forces. Returns the GUID of the FMU.
+/// Reports a skipped test and returns `None` if wine or mingw-w64 is missing.
 fn windows_host(at: &Path) -> Option<String> {
     let there = |program: &str| Command::new(program).arg("--version").output().is_ok();
     if !there("wine") || !there("x86_64-w64-mingw32-gcc") {
@@ -320,7 +321,7 @@ fn windows_host(at: &Path) -> Option<String> {
     description.split("guid=\"").nth(1).and_then(|rest| rest.split('"').next()).map(str::to_owned)
 }
 
-/// Asserts that the FMU's library gives the bridge's forces bit for bit in wine.
+/// Asserts that the FMU's library for Windows gives the bridge's forces bit for bit in wine.
 fn runs_on_windows(at: &Path, guid: &str, dll: &Path, resources: &str) {
     let mut wine = Command::new("wine");
     wine.current_dir(at).env("WINEPREFIX", at.join("wine")).env("WINEDEBUG", "-all");
@@ -348,7 +349,7 @@ fn the_runtime_for_windows_reads_its_resources() {
     for file in ["contents.txt", "model.toml"] {
         std::fs::copy(at.join("unpacked/resources").join(file), at.join("a folder").join(file)).expect("copied");
     }
-    // Wine's drive Z: is the root.
+    // Wine's drive Z: is the root of this computer's file system.
     let slashes = at.join("a folder").display().to_string();
     let backslashes = slashes.replace('/', "\\");
     for resources in [
@@ -438,7 +439,7 @@ fn the_page_says_that_a_damper_chatters_in_a_host_that_holds_its_force() {
         );
         assert!(!page.contains("REMARKS"));
 
-        // Front and rear are equal, so a remark on both appears once.
+        // Front and rear dampers have the same model, so their common remark appears once.
         let car = run_with(at, &["export", "fmu", "model.toml", "model.toml", "-o", "car.fmu"], &[]);
         assert_eq!(car.code, Some(0), "{}", car.err);
         unpacked(&at.join("car.fmu"), &at.join("car"));

@@ -1,7 +1,7 @@
 //! Tests of exported FMUs in importers with unusual behavior.
 //!
-//! Such importers give a wrong resources folder or none, remove the logger, or set no start values. They also request outputs at
-//! earlier times, or call functions out of order.
+//! Such importers pass a wrong path of the resources folder or none, remove the logger, or set no start values. They also request outputs
+//! at earlier times, or call functions out of order.
 
 use dashpot_tests::cli::{done, refused};
 use dashpot_tests::fmu::exported;
@@ -45,8 +45,8 @@ fn it_is_a_controlled_damper_of_carmaker() {
     }
 }
 
-/// Checks that the FMU equals the library's damper in CarMaker's convention, with an accompanying file in the form of
-/// CarMaker's templates.
+/// Checks that an FMU in CarMaker's convention gives the forces of the C library. Its .pluginfo file must have the form of CarMaker's
+/// templates.
 #[test]
 fn it_is_a_damper_of_carmaker() {
     for fmi in ["2", "3"] {
@@ -75,13 +75,13 @@ fn it_is_a_damper_of_carmaker() {
         assert!(refused(at, &[&export[..], &["0.4", "--four"]].concat()).contains("--four"));
         let two = ["export", "fmu", "model.toml", "model.toml", "-o", "other.fmu", "--carmaker", "0.4"];
         assert!(refused(at, &two).contains("one model"));
-        // The accompanying file does not reveal hidden parameters.
+        // With `--hide-parameters`, the .pluginfo file does not reveal parameters.
         let plug_info = |name: &str| std::fs::read_to_string(at.join(name)).expect("the file beside the FMU");
         assert!(plug_info("damper.pluginfo").contains("Susp.Damper.SubstModel.Damper:\n\t-"));
         done(at, &["export", "fmu", "model.toml", "-o", "hidden.fmu", "--carmaker", "0.4", "--hide-parameters"]);
         assert!(!plug_info("hidden.pluginfo").contains("SubstModel.Damper"));
-        // CarMaker uses the FMU only in motion. For the equilibrium it uses a curve, which is the best curve in the
-        // model file.
+        // CarMaker uses the FMU only in motion. For the equilibrium, CarMaker uses an FV curve in the .pluginfo file: the fit of the FV
+        // curve alone, if the model file contains one.
         assert!(plug_info("damper.pluginfo").contains("the model file has no plain FV curve of a fit"));
         let fit = "[identification.fv_only]\nvelocity = [-1.0, 0.0, 0.01, 1.0]\nforce = [-640.0, 0.0, 50.4, 1340.0]\ngas_force = 150.0\n";
         std::fs::write(at.join("fitted.toml"), format!("{MODEL}{fit}")).expect("a model file");
@@ -93,7 +93,7 @@ fn it_is_a_damper_of_carmaker() {
         );
         done(at, &[&fitted[..], &["--model-curve"]].concat());
         assert!(!plug_info("fitted.pluginfo").contains("50.4"));
-        // All files of CarMaker have the same beginning; a manually written file is not replaced.
+        // All .pluginfo files of CarMaker have the same beginning. A file that a user has written is not replaced.
         std::fs::write(at.join("other.pluginfo"), "#INFOFILE1.1 - Do not remove this line!\nFMU.Name = other\n")
             .expect("a file");
         assert!(refused(at, &[&export[..], &["0.4"]].concat()).contains("a file of CarMaker"));

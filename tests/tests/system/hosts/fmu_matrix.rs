@@ -1,5 +1,5 @@
-//! The rig matrix through the FMU in FMPy. Co-simulation equals the kernel's step, except for the last digits of the
-//! sine; model exchange agrees with the converged solution.
+//! Tests of exported FMUs in FMPy over the test matrix of the rig. Co-simulation must equal the kernel's step, except
+//! for the last digits of the sine. Model exchange must agree with the converged solution.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
@@ -62,7 +62,7 @@ fn runs(fmi: &str, four: bool) {
     for (sine, exact) in exact() {
         let of: [Vec<f64>; 2] = std::array::from_fn(|_| forces.by_ref().take(exact.len()).collect());
         let kernel = step_forces(&model, &sine.motion(), DT, exact.len() - 1, HostInput::Motion);
-        // The sines of Python and of the reference may differ in the last digit.
+        // The sine functions of Python and of the reference may differ in the last digit.
         let same = errors(&of[0], &kernel);
         assert!(same.largest < 1e-11, "{sine:?}: co-simulation is not the kernel's step: {same:?}");
         for (worst, forces) in [(&mut steps, &of[0]), (&mut exchange, &of[1])] {

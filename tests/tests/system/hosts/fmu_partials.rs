@@ -1,4 +1,5 @@
-//! Directional derivatives of an FMU whose dampers have internal states, compared with finite differences in FMPy.
+//! Tests of directional derivatives of an FMU whose dampers have internal states, compared with finite differences in
+//! FMPy.
 
 use dashpot_tests::cli::done;
 use dashpot_tests::fmu::runtimes;

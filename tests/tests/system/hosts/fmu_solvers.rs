@@ -1,7 +1,7 @@
-//! Model exchange in a common solver with its default options.
+//! Tests of model exchange FMUs in a common solver, CVODE, with its default options.
 //!
-//! FMPy's CVODE sets the inputs at the ends of its steps and keeps them constant in between. Nevertheless, the error of
-//! the force must stay below 1 % of the largest force.
+//! FMPy with CVODE sets the inputs at the ends of its steps and keeps them constant in between. Nevertheless, the error
+//! of the force must stay below 1 % of the largest force.
 
 use dashpot_core::parameter::{ELEMENTS, GROUPS};
 use dashpot_tests::fmu::exported;
@@ -9,7 +9,7 @@ use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// A damper with the elements and the relevant parameters that `dashpot demo` identifies: a steep dry friction and a
+/// Model file with the elements and the relevant parameters that `dashpot demo` identifies: a steep dry friction and a
 /// soft series spring.
 const DEMO: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"coulomb_friction\", \"gas_preload\"]\n\
     fv_form = \"table\"\nfv_velocity = [-1.57, -0.95, -0.57, -0.34, -0.21, -0.125, -0.0756, -0.0456, -0.0275, -0.0166, -0.01, 0, 0.01, \
@@ -38,7 +38,7 @@ fn the_damper_of_the_demo() {
     }
 }
 
-/// Checks each element in addition to FV curve, series spring and gas preload.
+/// Checks a damper with each element in addition to FV curve, series spring and gas preload.
 #[test]
 fn every_element() {
     if !has_python() {
@@ -50,9 +50,10 @@ fn every_element() {
             on.push(group.name);
         }
         let text = format!("format = 1\nelements = {on:?}\n");
-        // Every second element uses FMI 3.0, because the solver calls the same functions in both versions.
+        // The FMI version alternates between elements. One version for each element suffices, because the solver calls
+        // the same functions in both versions.
         let fmi = if i % 2 == 0 { "2" } else { "3" };
-        // A long stroke, or a short and fast one, alternately for each FMI version.
+        // The motion has a long stroke, or a short and fast stroke, alternately for each FMI version.
         let motion = if i / 2 % 2 == 0 { "0.03:5.6" } else { "0.002:12" };
         println!("{} in FMI {fmi}\n{}", group.name, within_one_percent(&text, fmi, &[motion]));
     }

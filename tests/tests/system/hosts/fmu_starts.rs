@@ -1,4 +1,5 @@
-//! Start of FMUs in motion, inputs at the beginning of a step, and messages on steps that are too long.
+//! Tests of FMUs that start in motion, of inputs at the beginning of a step, and of messages on steps that are too
+//! long.
 
 use dashpot_core::model_file;
 use dashpot_core::{Model, Params};
@@ -44,7 +45,8 @@ fn of_fmi_3() {
     starts("3");
 }
 
-/// Checks that the export states the delay of one step if the user does not specify when the importer sets the inputs.
+/// Checks that an export without `--inputs` mentions a delay of the force by one step. This option states when the
+/// importer sets the inputs.
 #[test]
 fn the_delay_is_told_where_nobody_said_when_inputs_come() {
     let folder = tempfile::tempdir().expect("a directory");

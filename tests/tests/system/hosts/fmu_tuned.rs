@@ -1,4 +1,5 @@
-//! Hosts set the parameters of an FMU one after the other, so that the set may be inconsistent in between.
+//! Tests of parameters that a host sets one after the other, so that the set of parameters may be inconsistent in
+//! between.
 //!
 //! The test checks the FMU's reaction to an inconsistent set, in a host that receives every status and message.
 

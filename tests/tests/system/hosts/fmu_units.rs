@@ -1,12 +1,12 @@
-//! Units that an FMU declares. At any motion and force scale, an importer that converts units gets the damper in SI
-//! units, or the FMU declares no unit.
+//! Tests of the units that an FMU declares. At any motion and force scale, an importer that converts units must get the
+//! damper in SI units, or the FMU must declare no unit.
 
 use dashpot_tests::fmu::exported;
 use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// Springs in addition to the curve, so that the force depends on the displacement.
+/// Model file with springs in addition to the FV curve, so that the force depends on the displacement.
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"presliding_friction\", \"gas_spring\"]\ngas_stiffness = 700\n";
 
 /// Motion scale, force scale, and the expected units of displacement, velocity, force, stiffness and damping.
@@ -33,7 +33,7 @@ fn declares(fmi: &str, four: bool) {
     let mut host = Command::new(python());
     host.arg(root().join("tests/hosts/fmu_units.py")).arg("si.fmu");
     for (i, (motion, force, units)) in CASES.iter().enumerate() {
-        // The cases cover each code path that produces a description once.
+        // Cases 0, 1 and the others use the three different code paths that produce a description.
         let more: &[&str] = match i {
             0 => &["--from-source"],
             1 => &["--hide-parameters", "--no-sources"],

@@ -1,4 +1,5 @@
-//! The damper in its hosts: C interface, Adams, FMI, real-time bridge and source shims for other simulators.
+//! Tests of the damper in host programs: C interface, Adams, FMI, real-time bridge and source shims for other
+//! simulators.
 
 mod abi_hosts;
 mod abi_symbols;

@@ -1,11 +1,11 @@
-//! MuJoCo as a host: the dampers in its passive-force callback, with steps of 1 ms.
+//! Tests of MuJoCo as a host: the dampers act in its passive-force callback, with steps of 1 ms.
 
 use dashpot_tests::bridge::{MODEL, bridge_host};
 use dashpot_tests::library::{root, succeed};
 use dashpot_tests::python::{has_python, python};
 use std::process::Command;
 
-/// Curve and gas force of [`MODEL`], without its other elements.
+/// Model file with the FV curve and the gas force of [`MODEL`], without its other elements.
 const CURVE: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\ngas_force = 141.5\n";
 
 /// Runs the host program, which compares MuJoCo's quarter car with its own integration and fails if a vehicle gains
@@ -22,7 +22,7 @@ fn a_quarter_car_and_a_vehicle_run_on_dashpot() {
     let find = "import mujoco, os, glob; f = os.path.dirname(mujoco.__file__); print(f); print(glob.glob(f + '/libmujoco.so*')[0])";
     let found = succeed(Command::new(python()).args(["-c", find]));
     let (folder, library) = found.trim().split_once('\n').expect("two lines");
-    // Suppress warnings in MuJoCo's own headers.
+    // The flag -isystem suppresses warnings in MuJoCo's own headers.
     let flags = [
         "-isystem".to_owned(),
         format!("{folder}/include"),

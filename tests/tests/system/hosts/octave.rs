@@ -1,4 +1,4 @@
-//! The MEX function in GNU Octave: the example runs and gives the kernel's forces.
+//! Tests of the MEX function in GNU Octave: the example must give the forces of the kernel.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_test_support::skipped;
@@ -43,7 +43,7 @@ fn the_example_gives_the_kernels_forces() {
         let input = Input::motion(0.002 * (1.0 - (w * t).cos()), 0.002 * w * (w * t).sin());
         let (next, answer) = step(&model, &state, &input, 1e-3);
         state = next;
-        // Octave's sine may differ in the last digit.
+        // Octave's sine function may differ from Rust's in the last digit.
         assert!((force - answer.force).abs() < 1e-6 * peak, "sample {k}: {force} {}", answer.force);
     }
     over_a_setting(at);

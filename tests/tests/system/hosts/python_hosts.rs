@@ -1,7 +1,7 @@
-//! The Python examples in independent multibody programs.
+//! Tests of the Python examples in independent multibody programs.
 //!
-//! The motion of a mass dropped on spring and damper must match the kernel. The kernel's steps are so short that its
-//! integration method is irrelevant.
+//! The motion of a mass dropped on a spring and a damper must match a simulation with the kernel. The kernel's steps
+//! are so short that the integration method is irrelevant.
 
 use dashpot_core::{Input, Model, Params, model_file, step};
 use dashpot_tests::library::{root, shared, succeed};
@@ -11,7 +11,7 @@ use std::process::Command;
 const MODEL: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\", \"parallel_spring\", \"stribeck_friction\", \"gas_preload\"]\n\
                      gas_force = 141.5\n";
 
-/// Computes position, m, and force, N, every 10 ms of 1 s, with the parameters of the examples.
+/// Computes position of the mass, m, and damper force, N, every 10 ms of 1 s, with the parameters of the examples.
 fn kernel() -> Vec<[f64; 2]> {
     const MASS: f64 = 100.0;
     const STIFFNESS: f64 = 24000.0;

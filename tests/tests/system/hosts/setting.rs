@@ -1,4 +1,5 @@
-//! An adjustable damper in hosts: the examples `skyhook.c` and `skyhook.py`, and the same control loop through an FMU.
+//! Tests of an adjustable damper in host programs: the examples `skyhook.c` and `skyhook.py`, and their control loop
+//! through an FMU.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::library::{Language, Linkage, directory, host, root, shared, succeed};
@@ -31,7 +32,8 @@ fn a_skyhook_controller_is_calmer_than_the_damper_at_a_constant_setting_in_c_and
     }
     let tire = |way: &str| numbers(&four, way, "tire");
     assert!(tire("skyhook").iter().zip(tire("soft")).all(|(sky, soft)| *sky < soft), "{four}");
-    // The output for one corner equals that of the first of four corners. Python's output equals that of C.
+    // The output for one corner equals that of the first of four corners. The output of the Python example equals that
+    // of the C example.
     let one = succeed(Command::new(&program).arg(model()).arg("1"));
     assert!(four.contains(one.lines().next().expect("a line")), "{one} {four}");
     let script = root().join("examples/skyhook.py");
@@ -39,7 +41,7 @@ fn a_skyhook_controller_is_calmer_than_the_damper_at_a_constant_setting_in_c_and
         skipped("python3");
         return;
     }
-    // Compare whole lines of all corners: acceleration, its spectrum in bands, and tire deflection.
+    // The comparison covers whole lines of all corners: acceleration, its spectrum in bands, and tire deflection.
     for (corners, of_c) in [("1", &one), ("4", &four)] {
         let python = succeed(Command::new("python3").arg(&script).arg(shared()).arg(model()).arg(corners));
         assert_eq!(&python, of_c);

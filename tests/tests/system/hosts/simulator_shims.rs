@@ -1,5 +1,5 @@
-//! The source shims for CarMaker, CarSim and Simulink, compiled with declarations of this project and called as by
-//! their hosts.
+//! Tests of the source shims for CarMaker, CarSim and Simulink. The shims are compiled with declarations of this
+//! project and called as by their hosts.
 
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
 use dashpot_tests::library::{root, succeed};
@@ -30,7 +30,7 @@ fn runs(host: &str, shim: &str, defines: &[&str], map: Option<&str>) {
     let map = root().join("vi-crt-bridge").join(map);
     let program = host.get_program().to_owned();
     succeed(host.arg(&map));
-    // Add a variable of the simulator for the setting of each corner to the map.
+    // This copy of the map also names a variable of the simulator for the setting of each corner.
     let with_setting = directory.path().join("setting.toml");
     let text = std::fs::read_to_string(&map).expect("a map") + "setting = \"CURRENT_{corner}\"\n";
     std::fs::write(&with_setting, text).expect("a map");
@@ -67,13 +67,14 @@ fn the_zero_of_the_rig_is_where_the_map_says() {
     std::fs::write(at.join("map.toml"), text).expect("a map");
     let host = bridge_host("offset.c", &SANITIZERS, at);
     succeed(Command::new(&host).arg(at.join("model.toml")).arg(at.join("map.toml")));
-    // A value in mm is rejected.
+    // A map with a position offset in mm instead of m is rejected.
     std::fs::write(at.join("mm.toml"), text.replace("-0.012", "-12")).expect("a map");
     let ran = Command::new(&host).arg(at.join("model.toml")).arg(at.join("mm.toml")).status().expect("the host runs");
     assert_eq!(ran.code(), Some(2));
 }
 
-/// The S-function is compiled against the stand-in headers in `tests/hosts/simulink` instead of Simulink's headers.
+/// Checks the S-function, compiled against the stand-in headers in `tests/hosts/simulink` instead of Simulink's
+/// headers.
 #[test]
 fn simulink_tries_steps_and_takes_them() {
     let directory = tempfile::tempdir().expect("a directory");

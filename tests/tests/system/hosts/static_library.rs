@@ -1,12 +1,12 @@
-//! The static library in other programs: one object with unique names, in every link order, with every available
-//! compiler.
+//! Tests of the static library in other programs: one object with unique names, in every link order, with every
+//! available compiler.
 
 use dashpot_test_support::{skipped, target_folder};
 use dashpot_tests::library::{directory, pack, root, static_library, succeed};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// Program that calls functions of compilers and C libraries that Rust's compiler library also defines.
+/// C program that calls functions of compilers and C libraries that Rust's compiler library also defines.
 const PROGRAM: &str = r#"
 #include "dashpot.h"
 #include <math.h>
@@ -38,7 +38,8 @@ int main(int argc, char **argv)
 }
 "#;
 
-/// Program with names that the library must not define: names of a C library, and names that Rust programs define.
+/// C program that defines names that the library must not define: names of a C library, and names that Rust programs
+/// define.
 const NAMESAKES: &str = r#"
 #include "dashpot.h"
 #include <stdio.h>
@@ -76,7 +77,7 @@ fn is_here(program: &str) -> bool {
     Command::new(program).arg("--version").output().is_ok_and(|out| out.status.success())
 }
 
-/// Writes the programs in C and in C++ to a folder.
+/// Writes the sources [`PROGRAM`], in C and in C++, and [`NAMESAKES`] to a folder.
 fn sources() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
     for (name, text) in [("program.c", PROGRAM), ("program.cc", PROGRAM), ("namesakes.c", NAMESAKES)] {
@@ -183,7 +184,7 @@ fn it_links_with_musl() {
     links(folder.path(), "musl-gcc", &["-fno-builtin", "namesakes.c", "LIBRARY"]);
 }
 
-/// Makes a folder with library, header and build files in the layout of the package.
+/// Makes a folder with library, header and build files in the layout of the installed package.
 fn prefix() -> tempfile::TempDir {
     let folder = tempfile::tempdir().expect("a directory");
     let at = folder.path();

@@ -1,7 +1,7 @@
-//! The vehicle on the simulator bridge, as in a real-time simulator.
+//! Tests of a simulated vehicle on the simulator bridge (`vi-crt-bridge`), as in a real-time simulator.
 //!
-//! Every maneuver, at steps from 0.25 to 2 ms, equals the simulation with the kernel bit for bit. The bridge uses the
-//! host's sign convention.
+//! Every maneuver, at steps from 0.25 to 2 ms, must equal the simulation with the kernel bit for bit. The bridge uses
+//! the host's sign convention.
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_simulation::vehicle::{Car, Dampers, Manoeuvre, run, run_with};
@@ -26,8 +26,8 @@ impl Bridge {
         self.from.read_exact(&mut answer).expect("the bridge answers");
         let number = |i: usize| f64::from_le_bytes(answer[8 * i..8 * i + 8].try_into().expect("eight bytes"));
         std::array::from_fn(|corner| {
-            // The status of a velocity beyond the identified curve is a warning. The status of a force kept after a
-            // rejected input would be 0x10000.
+            // Smaller status values are warnings, for example of a velocity beyond the FV curve. The status of a force
+            // kept after a rejected input would be 0x10000.
             assert!(number(3 * corner + 2) < 65536.0, "an input was refused");
             [-number(3 * corner), number(3 * corner + 1)]
         })

@@ -1,5 +1,5 @@
-//! The simulator bridge: four dampers with the host's signs and channel names, without operations that a real-time loop
-//! forbids.
+//! Tests of the simulator bridge: four dampers with the host's signs and channel names, without operations that a
+//! real-time loop forbids.
 
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::{MODEL, bridge_host, map, sources};
@@ -18,7 +18,7 @@ fn does_what_its_header_says() {
     }
 }
 
-/// Checks that the message on the shipped map asks the user for the missing channel.
+/// Checks that the message about the shipped channel map asks the user for the missing force channel.
 #[test]
 fn the_unknown_channel_is_asked_for() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -31,7 +31,7 @@ fn the_unknown_channel_is_asked_for() {
     assert!(!output.status.success() && text.contains("force must name the host's input channel"), "{text}");
 }
 
-/// Checks that a step neither allocates, nor accesses files, nor locks.
+/// Checks that a step of the bridge neither allocates memory, nor accesses files, nor locks.
 #[test]
 fn only_create_and_destroy_allocate_and_read() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -75,7 +75,8 @@ fn only_create_and_destroy_allocate_and_read() {
     assert!(reached.iter().any(|n| n == "dashpot_step"), "{reached:?}");
 }
 
-/// Simulates two minutes of driving; `tests/hosts/soak.c` explains a run of half an hour.
+/// Checks a simulation of two minutes of driving through the bridge; `tests/hosts/soak.c` describes a run of half an
+/// hour.
 #[test]
 fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
     let directory = tempfile::tempdir().expect("a directory");
@@ -97,8 +98,8 @@ fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
     assert_eq!((figure("steps "), figure("missed ")), (120_000.0, 0.0));
     // If mlockall() is allowed, there are no page faults. Otherwise, one or two occur at first accesses.
     assert!(figure("page_faults ") <= 2.0, "{text}");
-    // The displacement of the host's own integration rule differs by half a step of velocity. This difference does not
-    // accumulate.
+    // The host integrates displacement by its own rule, which differs from the bridge's by half a step of velocity.
+    // This difference must not accumulate.
     assert!(figure("drift_mm ") < 1.0, "{text}");
     assert!((figure("rms_late_n ") / figure("rms_early_n ") - 1.0).abs() < 0.2, "{text}");
 }

@@ -1,6 +1,6 @@
 //! Tests the example from the book's page for host authors.
 //!
-//! Its three loops simulate the same car, also with a moving mass.
+//! The three simulation loops of the example simulate the same car, also with a moving mass in the damper.
 
 use dashpot_tests::library::{Language, Linkage, host, root, succeed};
 use std::path::Path;
@@ -47,16 +47,17 @@ fn three_loops_are_one_car() {
             1e3 * peak
         );
         assert!(errors[0] < 0.01 * peak, "{kind}: {errors:?} of {peak}");
-        // The host's methods are of first order: half the step gives half the error. The trial loop adapts its steps.
+        // The integration methods of the loops are of first order: half the step gives half the error. The loop `trial`
+        // adapts its steps.
         assert!(kind == "trial" || errors[1] < 0.7 * errors[0], "{kind}: {errors:?}");
     }
 }
 
-/// Checks that a moving mass in the damper affects the car as with small steps, even if a loop advances the
-/// displacement with another velocity.
+/// Checks that a moving mass in the damper affects the car as in a simulation with small steps. This must hold even if
+/// a loop advances the displacement with another velocity.
 ///
-/// The loop `explicit` is semi-implicit. The loops' own errors of the body cancel in the difference between runs with
-/// and without the mass.
+/// The loop `explicit` is semi-implicit. The errors of a loop in the motion of the car body cancel in the difference
+/// between runs with and without the mass.
 #[test]
 fn a_moving_mass_acts_as_it_is_in_every_loop() {
     let folder = tempfile::tempdir().expect("a directory");

@@ -1,5 +1,5 @@
-//! An amplifier that changes to a coarse range at a large force, and back at a small force. The readings of the ranges
-//! differ.
+//! Injected unknown effect: an amplifier of the force channel that changes to a coarse range at a large force, and back
+//! at a small force. The two ranges have different gains.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 
@@ -10,8 +10,8 @@ pub(super) const EFFECT: Effect = Effect { name: "amplifier_switch", laws: &[("a
 /// The backlash is the play operator (Krasnosel'skii & Pokrovskii, Systems with Hysteresis, 1989).
 struct AutoRange {
     error: f64,
-    /// Force at half of the transition while the force grows, N. `backlash` is the decrease of the force that reverses
-    /// the transition, N.
+    /// Magnitude of the force at half of the transition while the force grows, N. `backlash` is the decrease of the
+    /// force that reverses the transition, N.
     up: f64,
     backlash: f64,
     band: f64,
@@ -21,7 +21,7 @@ impl EffectModel for AutoRange {
     fn channel(&self, _: u64, _: &[f64], force: &mut Vec<f64>) {
         let mut stands = 0.0f64;
         for f in force {
-            // The state is bounded by the force and by the force minus the backlash (play operator).
+            // The state of the play operator stays between the force and the force minus the backlash.
             stands = stands.max(f.abs() - self.backlash).min(f.abs());
             let beyond = (stands - (self.up - self.backlash)) / self.band;
             *f *= 1.0 + self.error * 0.5 * (1.0 + libm::tanh(beyond));

@@ -1,11 +1,12 @@
-//! Cogging of an electric actuator: its magnets add a force with the period of the poles, a part of which reaches the
-//! load cell.
+//! Injected unknown effect: cogging of an electric actuator. Its magnets add a force with the period of the poles, a
+//! part of which reaches the load cell.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "cogging", laws: &[("poles", poles as Make)] };
 
-/// A wave over the stroke, proportional to the motor's current and thus to the force.
+/// A sine wave of force over the stroke, with an amplitude proportional to the motor's current and thus to the damper
+/// force.
 struct Poles {
     share: f64,
     pitch: f64,

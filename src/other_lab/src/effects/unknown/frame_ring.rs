@@ -1,13 +1,14 @@
-//! The rig's frame vibrates in two modes after every sudden change of force.
+//! Injected unknown effect: the rig's frame vibrates in two modes after every sudden change of force.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "frame_ring", laws: &[("two_modes", two_modes as Make)] };
 
-/// Two modes that the force excites. Their accelerations act on the load cell (Ewins, Modal Testing, 2000).
+/// Two modes of the frame that the damper force excites. Their accelerations act on the load cell (Ewins, Modal
+/// Testing, 2000).
 struct TwoModes {
     share: f64,
-    /// Frequency (rad/s) and damping ratio.
+    /// Angular frequency (rad/s) and damping ratio of each mode.
     modes: [[f64; 2]; 2],
 }
 
@@ -17,7 +18,8 @@ impl EffectModel for TwoModes {
         for [omega, damping] in self.modes {
             let (mut y, mut rate) = (drives[0], 0.0);
             for i in 1..time.len() {
-                // Use the midpoint rule with steps much shorter than the periods of the modes.
+                // The midpoint rule integrates each mode, with steps of at most 0.1 divided by the mode's angular
+                // frequency.
                 let parts = ((time[i] - time[i - 1]) * omega / 0.1).ceil().max(1.0) as usize;
                 let h = (time[i] - time[i - 1]) / parts as f64;
                 for part in 0..parts {

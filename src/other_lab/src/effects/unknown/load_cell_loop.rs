@@ -1,4 +1,4 @@
-//! A load cell with hysteresis.
+//! Injected unknown effect: a load cell with hysteresis.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 
@@ -6,7 +6,8 @@ pub(super) const EFFECT: Effect = Effect { name: "load_cell_loop", laws: &[("sto
 
 const STOPS: usize = 4;
 
-/// A sum of stop operators of several widths (Prandtl & Ishlinskii; Krejčí 1996).
+/// Hysteresis as a sum of stop operators (elastic, perfectly plastic elements) of several widths (Prandtl & Ishlinskii;
+/// Krejčí 1996).
 struct Stops {
     share: f64,
     widths: [f64; STOPS],

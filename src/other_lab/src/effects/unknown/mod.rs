@@ -1,5 +1,5 @@
-//! Effects outside of all catalogs of damper models, which occur on real rigs or in dampers. The correct diagnosis is
-//! an unnamed missing effect.
+//! Injected effects that no catalog of damper models contains. They occur on real rigs or in dampers. The correct
+//! diagnosis is a missing effect without a name.
 
 mod amplifier_switch;
 mod cogging;

@@ -1,4 +1,4 @@
-//! Oil with additives that gels at standstill.
+//! Injected unknown effect: oil with additives that gels at standstill.
 //!
 //! After a standstill, the damper is firmer over some travel, so the effect is larger in small strokes.
 
@@ -19,7 +19,7 @@ impl EffectModel for Moore {
         &[1e-3]
     }
     fn rates(&self, here: &Here, s: &[f64], r: &mut [f64]) {
-        // The state is the broken fraction: 0 at the start of a record.
+        // The state is the broken fraction of the gel structure: 0 at the start of a record.
         r[0] = (1.0 - s[0]) * here.v.abs() / self.breaks - s[0] / self.restores;
     }
     fn gain(&self, _: &Here, s: &[f64]) -> f64 {

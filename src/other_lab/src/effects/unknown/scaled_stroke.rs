@@ -1,11 +1,11 @@
-//! A displacement channel with a wrong scale and a nonlinear wire potentiometer. A separate sensor measures velocity,
-//! so displacement and velocity disagree.
+//! Injected unknown effect: a displacement channel with a wrong scale and a nonlinear wire potentiometer. A separate
+//! sensor measures velocity, so the two channels disagree.
 
 use super::{Draw, Effect, EffectModel, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "scaled_stroke", laws: &[("potentiometer", potentiometer as Make)] };
 
-/// A gain error and a sinusoidal error over the stroke.
+/// Displacement channel with a gain error and a sinusoidal error over the stroke.
 struct Potentiometer {
     gain: f64,
     wave: f64,

@@ -1,13 +1,13 @@
-//! The rod sticks and releases with bursts of vibration that are unrelated to the motion.
+//! Injected unknown effect: the rod sticks and releases with bursts of vibration that are unrelated to the motion.
 
 use super::{Draw, Effect, EffectModel, Make, Reading, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "stick_slip_burst", laws: &[("rattle", rattle as Make)] };
 
-/// Length of a slot of the campaign's clock, s, which contains at most one burst.
+/// Length, s, of the intervals of the campaign, each of which contains at most one burst.
 const SLOT: f64 = 0.4;
 
-/// Decaying sawtooth waves against the motion, at random times of the campaign.
+/// Decaying sawtooth waves of friction force, at random times of the campaign.
 struct Rattle {
     size: f64,
     teeth: f64,

@@ -1,10 +1,12 @@
-//! A tilted crosshead converts a part of the axial force to friction in the guides.
+//! Injected unknown effect: a tilted crosshead of the rig converts a part of the axial force to friction in the
+//! damper's guides.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale, soft_sign};
 
 pub(super) const EFFECT: Effect = Effect { name: "tilted_head", laws: &[("wedge", wedge as Make)] };
 
-/// Wedge friction, proportional to the force. Extension lengthens the lever arm (Deubel & Prokop 2023).
+/// Wedge friction, proportional to the hydraulic force. Extension lengthens the lever arm and thus increases the
+/// friction (Deubel & Prokop 2023).
 struct Wedge {
     share: f64,
     lever: f64,

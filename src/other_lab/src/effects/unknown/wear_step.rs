@@ -1,10 +1,10 @@
-//! A valve disc cracks during the campaign. After that, one stroke is softer.
+//! Injected unknown effect: a valve disc cracks during the campaign. After that, the damper is softer in one direction.
 
 use super::{Draw, Effect, EffectModel, Here, Make, Scale};
 
 pub(super) const EFFECT: Effect = Effect { name: "wear_step", laws: &[("cracked_disc", cracked_disc as Make)] };
 
-/// Increased flow through the valves of one stroke, from a random time of the campaign on.
+/// Increased flow through the valves of one direction, from a random time of the campaign on.
 struct CrackedDisc {
     more: f64,
     from: f64,

@@ -1,4 +1,5 @@
-//! A tilted crosshead converts a part of the axial force to side force on the guides.
+//! Injected unknown effect: a tilted crosshead of the rig converts a part of the axial force to side force on the
+//! damper's guides.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -11,7 +12,7 @@ struct Tilt {
 
 impl Hidden for Tilt {
     fn friction_n(&self, here: &Here, _states: &[f64]) -> f64 {
-        // Use the axial force before friction, smoothed around zero.
+        // The axial force without friction acts as side force. It is smoothed around zero over 20 N.
         self.share * (libm::hypot(here.oil_n, 20.0) - 20.0) * (1.0 + here.line.displacement_m / 0.12)
     }
 }

@@ -1,4 +1,5 @@
-//! A part of the flow goes through a hose to an accumulator, with a resonance.
+//! Injected unknown effect: a part of the oil flow goes through a hose to an accumulator. Oil mass and accumulator have
+//! a resonance.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -6,7 +7,7 @@ use crate::neutral::{Here, Rest};
 const FORMS: &[&str] = &["helmholtz"];
 
 struct Hose {
-    /// Compliance of the accumulator, stroke per force, m/N.
+    /// Compliance of the accumulator, m/N: piston stroke per oil force.
     compliance_m_n: f64,
     omega: f64,
     damping: f64,
@@ -14,7 +15,8 @@ struct Hose {
 
 impl Hidden for Hose {
     fn tolerances(&self) -> &[f64] {
-        // The states are the flow as a velocity, m/s, and the pressure in the accumulator as a force, N.
+        // The states are the flow in the hose, as a piston velocity, m/s, and the accumulator's pressure, as a piston
+        // force, N.
         &[1e-5, 1e-1]
     }
 
@@ -23,7 +25,8 @@ impl Hidden for Hose {
     }
 
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
-        // The inertia follows from frequency and compliance: m = 1 / (omega² C).
+        // The effective mass m of the oil in the hose follows from the angular frequency omega and the compliance C: m
+        // = 1 / (omega² C).
         let per_mass = self.omega * self.omega * self.compliance_m_n;
         rates[0] = per_mass * (here.oil_n - states[1]) - 2.0 * self.damping * self.omega * states[0];
         rates[1] = states[0] / self.compliance_m_n;

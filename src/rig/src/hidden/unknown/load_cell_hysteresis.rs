@@ -1,4 +1,4 @@
-//! The reading of the load cell is larger at rising load than at falling load.
+//! Injected unknown effect: the load cell shows a larger force at rising load than at falling load.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -12,7 +12,7 @@ struct CellHysteresis {
 
 impl Hidden for CellHysteresis {
     fn tolerances(&self) -> &[f64] {
-        // The state is the center of the play, N.
+        // The state is the center of the play operator that computes the hysteresis, N.
         &[1e-1]
     }
 

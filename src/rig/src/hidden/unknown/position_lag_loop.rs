@@ -1,4 +1,5 @@
-//! A force that lags position and saturates, such as that of eddy currents in a nearby part.
+//! Injected unknown effect: a force that depends on the lag behind position and saturates, such as that of eddy
+//! currents in a nearby part.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -26,7 +27,8 @@ impl Hidden for LagLoop {
     }
 
     fn beside_n(&self, here: &Here, states: &[f64]) -> f64 {
-        // Beyond the width, the coupling of the field weakens, and the force decreases again.
+        // If position and lagged position differ by more than `width_m`, the coupling of the field weakens, and the
+        // force decreases again.
         let trail = (here.line.displacement_m - states[0]) / self.width_m;
         self.force_n * 2.0 * trail / (1.0 + trail * trail)
     }

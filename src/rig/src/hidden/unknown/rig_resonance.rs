@@ -1,4 +1,4 @@
-//! The rig's frame vibrates after every sudden change of force.
+//! Injected unknown effect: the rig's frame vibrates after every sudden change of force.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};

@@ -1,4 +1,4 @@
-//! Like a leveling damper, the damper builds up pressure in motion and loses it at standstill.
+//! Injected unknown effect: like a leveling damper, the damper builds up pressure in motion and loses it at standstill.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -13,7 +13,7 @@ struct Pumping {
 
 impl Hidden for Pumping {
     fn tolerances(&self) -> &[f64] {
-        // The state is the fraction of the full pressure.
+        // The state is the pressure that motion has built up, as a fraction of the full pressure.
         &[1e-5]
     }
 

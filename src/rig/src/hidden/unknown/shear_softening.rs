@@ -1,4 +1,5 @@
-//! Continuous shear softens the oil, which recovers at standstill within seconds.
+//! Injected unknown effect: continuous shear reduces the viscosity of the oil, which recovers at standstill within
+//! seconds.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -13,7 +14,7 @@ struct Softening {
 
 impl Hidden for Softening {
     fn tolerances(&self) -> &[f64] {
-        // The state is the filtered speed, m/s.
+        // The state is the low-pass filtered magnitude of the velocity, m/s.
         &[1e-5]
     }
 

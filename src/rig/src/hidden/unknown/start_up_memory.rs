@@ -1,4 +1,4 @@
-//! After a standstill, the force of the damper is reduced over an initial travel.
+//! Injected unknown effect: after a standstill, the force of the damper is reduced over an initial travel.
 
 use super::{Hidden, Recipe};
 use crate::neutral::{Here, Rest};
@@ -12,7 +12,7 @@ struct StartUp {
 
 impl Hidden for StartUp {
     fn tolerances(&self) -> &[f64] {
-        // The state is the travel since standstill, m.
+        // The state is the distance traveled since the start of the test, m.
         &[1e-5]
     }
 

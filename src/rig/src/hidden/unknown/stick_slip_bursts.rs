@@ -1,10 +1,12 @@
-//! The rod sticks and releases with short bursts of vibration, at times unrelated to the motion.
+//! Injected unknown effect: the rod sticks and releases with short bursts of vibration, at times unrelated to the
+//! motion.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["bursts"];
-/// Length of a time slot, s. The campaign clock determines the bursts, so their rate does not depend on the test.
+/// Length, s, of a time slot with at most one burst. The time since the start of the campaign determines the bursts, so
+/// their rate does not depend on the test.
 const SLOT_S: f64 = 0.25;
 
 struct Bursts {
@@ -15,9 +17,10 @@ struct Bursts {
 }
 
 impl Bursts {
-    /// Returns start (s) and size of the burst in a slot of the clock; `None` for the many slots without a burst.
+    /// Returns start (s since the start of the campaign) and relative size of the burst in a time slot. Returns `None`
+    /// for the 65 % of the slots without a burst.
     fn burst(&self, slot: i64) -> Option<(f64, f64)> {
-        // Hash the slot with SplitMix64.
+        // The hash SplitMix64 of the slot number gives random numbers.
         let mut z = self.seed.wrapping_add((slot as u64).wrapping_mul(0x9e37_79b9_7f4a_7c15));
         z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
         z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);

@@ -1,4 +1,5 @@
-//! The servo valve's current couples into the force channel at three times the frequency of the motion.
+//! Injected unknown effect: the current of the rig's servo valve couples into the force channel at three times the
+//! frequency of the motion.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;

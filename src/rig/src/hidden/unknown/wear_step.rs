@@ -1,4 +1,5 @@
-//! A shim cracks during the campaign. After that, one direction has less force.
+//! Injected unknown effect: a valve shim cracks during the campaign. After that, the damper has less force in one
+//! direction.
 
 use super::{Hidden, Recipe};
 use crate::neutral::Here;
@@ -7,7 +8,7 @@ const FORMS: &[&str] = &["cracked_shim"];
 
 struct Wear {
     missing: f64,
-    /// Direction: +1 rebound, -1 compression.
+    /// Direction with less force: +1 rebound, -1 compression.
     side: f64,
     at_s: f64,
 }
@@ -18,7 +19,7 @@ impl Hidden for Wear {
             return 1.0;
         }
         let force = self.side * here.oil_n;
-        // The other direction is intact, with a smooth transition at zero force.
+        // In the direction opposite to `side`, the force is intact. The transition at zero force is smooth.
         let worn = 0.5 * (1.0 + force / libm::hypot(force, 60.0));
         1.0 / (1.0 + self.missing * worn)
     }
