@@ -30,6 +30,7 @@ dashpot_messages::phrases! {
     WITH_AIR: "with the air in it";
     NO_ORIFICE: "no orifice shows beside the leak";
     OF_ALL_PASSAGES: "of all laminar passages together, so a gap leaks at most this";
+    SPRING_IS_MORE_THAN_GAS: "if the parallel spring is the gas; the drawn {drawn} cm³ give about {percent} % of that spring, and another spring the rest";
     IF_SPRING_IS_GAS: "if the parallel spring is the gas";
     NO_LEAK: "no leak shows beside the orifice";
     OPENING_AT: "opening at the largest force of the table";

@@ -130,6 +130,25 @@ proptest! {
     }
 
     #[test]
+    fn a_spring_stiffer_than_the_drawn_gas_is_partly_another_spring(ratio in 1.6f64..5.0, volume in 60.0f64..300.0) {
+        let of = |drawn: &str| {
+            let text = format!("rod_mm = 12\ngas_pressure_bar = 20\n{drawn}");
+            let stated = drawing(&format!("rod_mm = 12\ngas_pressure_bar = 20\ngas_volume_cm3 = {volume}\n"));
+            let spring = ratio * expected(&stated, "gas_stiffness");
+            let model = of_text(
+                &format!("format = 1\nelements = [\"parallel_spring\"]\nspring_linear = {spring}\n"),
+                Path::new("model.toml"),
+            ).unwrap();
+            explain(&model, &drawing(&text)).find("gas_volume").unwrap().clone()
+        };
+        let found = of("");
+        prop_assert!((found.value.unwrap() * ratio / volume - 1.0).abs() < 0.01, "{found:?}");
+        prop_assert!(!found.note.unwrap().to_string().contains("another spring"));
+        let noted = of(&format!("gas_volume_cm3 = {volume}\n")).note.unwrap().to_string();
+        prop_assert!(noted.contains(&format!("give about {:.0} %", 100.0 / ratio)), "{noted}, {ratio}");
+    }
+
+    #[test]
     fn eyes_belong_to_the_column_of_a_model_without_a_series_spring(
         length in 80.0f64..200.0,
         modulus in 0.9f64..1.5,

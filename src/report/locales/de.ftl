@@ -1667,6 +1667,7 @@ dimensions-a-bound = eine Grenze: die Reihenfeder enthält Augen und Öl; eye_st
 dimensions-with-air = mit der Luft darin
 dimensions-no-orifice = neben dem Leck zeigt sich keine Drossel
 dimensions-of-all-passages = aller laminaren Durchlässe zusammen; ein Spalt leckt also höchstens so viel
+dimensions-spring-is-more-than-gas = falls die Parallelfeder das Gas ist; die gezeichneten { $drawn } cm³ ergeben etwa { $percent } % dieser Feder, den Rest eine andere Feder
 dimensions-if-spring-is-gas = falls die Parallelfeder das Gas ist
 dimensions-no-leak = neben der Drossel zeigt sich kein Leck
 dimensions-opening-at = Öffnung bei der größten Kraft der Tabelle

@@ -1667,6 +1667,7 @@ dimensions-a-bound = une borne : le ressort en série contient œillets et huile
 dimensions-with-air = avec l’air qu’elle contient
 dimensions-no-orifice = aucun orifice n’apparaît à côté de la fuite
 dimensions-of-all-passages = de tous les passages laminaires ensemble : un jeu fuit au plus autant
+dimensions-spring-is-more-than-gas = si le ressort en parallèle est le gaz ; les { $drawn } cm³ du dessin donnent environ { $percent } % de ce ressort, et un autre ressort le reste
 dimensions-if-spring-is-gas = si le ressort en parallèle est le gaz
 dimensions-no-leak = aucune fuite n’apparaît à côté de l’orifice
 dimensions-opening-at = ouverture au plus grand effort de la table

@@ -1655,6 +1655,7 @@ dimensions-a-bound = 仅为界限：串联弹簧包含吊环和油液；eye_stif
 dimensions-with-air = 含其中的空气
 dimensions-no-orifice = 除泄漏外未见节流孔
 dimensions-of-all-passages = 为所有层流通道之和，间隙泄漏最多为此值
+dimensions-spring-is-more-than-gas = 若并联弹簧即为气体；图纸所注的 { $drawn } cm³ 约占该弹簧刚度的 { $percent } %，其余由另一弹簧产生
 dimensions-if-spring-is-gas = 若并联弹簧即为气体
 dimensions-no-leak = 除节流孔外未见泄漏
 dimensions-opening-at = 表中最大力时的开口

@@ -19,11 +19,14 @@ pub struct SignDoubt {
     pub error: f64,
     /// Root mean square error with the opposite direction positive, N.
     pub reversed_error: f64,
+    /// Whether the recorded force has the sign of the project already, so that only the motion is reversed.
+    pub motion_alone: bool,
 }
 
 /// Compares the force that was recorded with a motion with the simulated one in both directions. Returns the errors if
-/// the opposite direction of motion and force is clearly the right one. Returns `None` if the numbers of samples
-/// differ.
+/// the opposite direction of the motion is clearly the right one. Returns `None` if the numbers of samples differ.
+///
+/// The force counts with the sign that fits better, because some files count motion and force in opposite directions.
 ///
 /// `as_read` is the simulation of the motion as read. `simulate` computes the force of another motion. `recorded` has
 /// one force for each sample, in N, with the sign of the motion.
@@ -46,7 +49,10 @@ pub fn doubt_sign(
         rms(&mut simulated.iter().zip(recorded).map(|(sample, force)| sample.force - sign * force))
     };
     let reversed = simulate(&motion.reversed())?;
-    let doubt = SignDoubt { error: error(as_read, 1.0), reversed_error: error(&reversed, -1.0) };
+    let smaller = |simulated: &[SimulatedSample]| error(simulated, 1.0).min(error(simulated, -1.0));
+    let (with_force, alone) = (error(&reversed, -1.0), error(&reversed, 1.0));
+    let doubt =
+        SignDoubt { error: smaller(as_read), reversed_error: with_force.min(alone), motion_alone: alone < with_force };
     let force = rms(&mut recorded.iter().copied());
     Ok((doubt.error > CLEAR * doubt.reversed_error && doubt.reversed_error < DESCRIBES * force).then_some(doubt))
 }
@@ -73,7 +79,11 @@ mod tests {
         let of_file = |sign: f64, scale: f64| -> Vec<f64> { forces.iter().map(|force| sign * scale * force).collect() };
         assert_eq!(doubt(&motion, &of_file(1.0, 1.1)), None);
         let found = doubt(&motion.reversed(), &of_file(-1.0, 1.1)).unwrap();
-        assert!(found.error > 3.0 * found.reversed_error, "{found:?}");
+        assert!(found.error > 3.0 * found.reversed_error && !found.motion_alone, "{found:?}");
+        // The file counts motion and force in opposite directions. If only the force differs, the motion is right.
+        let found = doubt(&motion.reversed(), &of_file(1.0, 1.1)).unwrap();
+        assert!(found.motion_alone, "{found:?}");
+        assert_eq!(doubt(&motion, &of_file(-1.0, 1.1)), None);
         // The force of another damper, or one with another number of samples, gives no result.
         assert_eq!(doubt(&motion.reversed(), &of_file(-1.0, 5.0)), None);
         assert_eq!(doubt(&motion, &forces[1..]), None);

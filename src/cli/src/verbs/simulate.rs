@@ -110,9 +110,18 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     };
     drop(progress);
     let of_sign = doubt.map(|doubt| {
+        let (counts, remedy) = match doubt.motion_alone {
+            true => (
+                "its motion, but not its force, in the opposite direction",
+                format!("Reverse it with dashpot import-profile {} --flip motion", args.motion.display()),
+            ),
+            false => (
+                "compression positive",
+                "Give --positive compression, or --positive rebound to keep it as it is".to_owned(),
+            ),
+        };
         format!(
-            "{} seems to count compression positive: then the model is {:.3} N (rms) off the force in the file, now {:.3} N. \
-             Give --positive compression, or --positive rebound to keep it as it is",
+            "{} seems to count {counts}: then the model is {:.3} N (rms) off the force in the file, now {:.3} N. {remedy}",
             args.motion.display(),
             doubt.reversed_error,
             doubt.error

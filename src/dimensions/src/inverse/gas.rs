@@ -9,7 +9,7 @@ use crate::gas;
 use crate::phrases;
 use crate::uncertain::{Interval, Uncertain, through};
 use dashpot_core::number;
-use dashpot_messages::Template;
+use dashpot_messages::{Sentence, Template};
 
 /// Pascals per bar. [`CM3`] is cubic meters per cm³.
 const BAR: f64 = 1e5;
@@ -69,9 +69,7 @@ fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>,
         Standing::Off => match model.number(number!("spring_linear")) {
             // A damper seldom has another spring over its whole stroke than the gas, so the parallel spring counts as
             // the gas.
-            Standing::Known(spring) if spring.low > 0.0 => {
-                (spring, "spring_linear", Some(phrases::IF_SPRING_IS_GAS.into()))
-            }
+            Standing::Known(spring) if spring.low > 0.0 => (spring, "spring_linear", Some(phrases::IF_SPRING_IS_GAS)),
             _ => return to.unknown.push(gap(phrases::NO_GAS_SPRING, vec!["gas_stiffness"])),
         },
         Standing::Open => {
@@ -87,6 +85,18 @@ fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>,
     let found = through(&inputs, |x| if x[1] > 0.0 { gas::volume(x[0], x[1], x[2]) * x[3] } else { f64::INFINITY });
     let pressure = if stated.is_some() { Entry::GasPressure.key() } else { "gas_force" };
     let from = vec![source, pressure, Entry::Rod.key()];
+    // A drawn volume above the interval leaves a part of the spring to something else than the gas. A softer spring than
+    // the drawn gas is a contradiction.
+    let stated = drawing.stated(Entry::GasVolume).filter(|stated| found.high.is_some_and(|high| stated.low > high));
+    let note = match (note, stated) {
+        (Some(_), Some(stated)) => Some(
+            Sentence::from(phrases::SPRING_IS_MORE_THAN_GAS).with("drawn", format!("{:.0}", stated.value / CM3)).with(
+                "percent",
+                found.value.map_or_else(String::new, |value| format!("{:.0}", 100.0 * value / stated.value)),
+            ),
+        ),
+        (note, _) => note.map(Sentence::from),
+    };
     let quantity = Quantity::new(NAME, "cm³", found.scaled(1.0 / CM3), from, errors::GAS_VOLUME);
     to.quantities.push(Quantity { note, ..quantity });
 }
