@@ -396,8 +396,8 @@ int32_t dashpot_model_init(dashpot_model *model,
 // The host provides the setting of a damper that depends on one; without this bit it is the start setting of the model file.
 #define DASHPOT_KNOWS_SETTING 8
 
-// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
-// known are ignored.
+// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Displacement, side force,
+// temperature and setting are each ignored if their bit is missing in the member known.
 typedef struct dashpot_input {
   // sizeof(dashpot_input).
   uint32_t struct_size;
@@ -485,9 +485,12 @@ typedef struct dashpot_state {
 typedef struct dashpot_output {
   // Damper force, N, tension positive.
   double force;
-  // dF/dx over the input displacement, N/m. From a step: the total derivative of the force at its end.
+  // Derivative of the force with respect to the input displacement, N/m, at constant states. After a step: the total
+  // derivative at the end of the step.
   double d_force_d_displacement;
-  // dF/dv over the input velocity, N s/m. Without an input displacement it includes the integrated displacement.
+  // Derivative of the force with respect to the input velocity, N s/m, at constant states. After a step: the total
+  // derivative at the end of the step. Without an input displacement, that derivative includes the effect of the
+  // integrated displacement.
   double d_force_d_velocity;
   // Force of the primary damper (the force-velocity curve), N.
   double primary_force;

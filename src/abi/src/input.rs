@@ -18,8 +18,8 @@ pub const DASHPOT_KNOWS_TEMPERATURE: u32 = 4;
 /// The host provides the setting of a damper that depends on one; without this bit it is the start setting of the model file.
 pub const DASHPOT_KNOWS_SETTING: u32 = 8;
 
-/// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Members without their bit in
-/// known are ignored.
+/// Input at one instant. Start with dashpot_input_velocity() or dashpot_input_motion(). Displacement, side force,
+/// temperature and setting are each ignored if their bit is missing in the member known.
 #[repr(C)]
 pub struct dashpot_input {
     /// sizeof(dashpot_input).

@@ -49,9 +49,12 @@ pub struct dashpot_state {
 pub struct dashpot_output {
     /// Damper force, N, tension positive.
     pub force: f64,
-    /// dF/dx over the input displacement, N/m. From a step: the total derivative of the force at its end.
+    /// Derivative of the force with respect to the input displacement, N/m, at constant states. After a step: the total
+    /// derivative at the end of the step.
     pub d_force_d_displacement: f64,
-    /// dF/dv over the input velocity, N s/m. Without an input displacement it includes the integrated displacement.
+    /// Derivative of the force with respect to the input velocity, N s/m, at constant states. After a step: the total
+    /// derivative at the end of the step. Without an input displacement, that derivative includes the effect of the
+    /// integrated displacement.
     pub d_force_d_velocity: f64,
     /// Force of the primary damper (the force-velocity curve), N.
     pub primary_force: f64,

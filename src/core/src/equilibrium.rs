@@ -7,8 +7,8 @@ use crate::paths;
 use crate::state::{MAX_INTERNAL, Output, State};
 use crate::tables::{ForceLaw, Tables};
 
-/// Number of bracketed Newton steps to the deflection of the series spring at equilibrium. It is large, because an
-/// equilibrium may cost more time than a step of the host.
+/// Number of bracketed Newton steps to the deflection of the series spring at equilibrium. The number may be large,
+/// because the computation of an equilibrium is allowed to take more time than a step of the host.
 const STEPS: usize = 100;
 
 /// Largest residual of the force balance, relative to its forces, that counts as rounding error.

@@ -62,10 +62,13 @@ const CUBIC: f64 = 0.12;
 
 /// Factors on [`EVEN`] and [`CUBIC`] for elements of the force path, whose forces are nonlinear within a step.
 ///
-/// The factors were determined with the test matrix (core/tests/kernel/paths_accuracy.rs). `KNEE` is for a knee,
-/// `SEVERAL` for a void or several elements. `TURNS` is for a column whose stiffness changes with the sign of the
-/// force, `WHOLE` for friction that reverses behind the spring. A bushing has a smooth force. It uses the fourth-order
-/// method with n substeps, n² ≥ `RUBBER` f, where f is the angular frequency of the mass times the step.
+/// The factors were determined with the test matrix (core/tests/kernel/paths_accuracy.rs). `KNEE` is for one element
+/// with a knee, such as free play, a symmetric oil column or a valve with play. `SEVERAL` is for a cavitation void,
+/// air, a valve with mass, or several elements. `TURNS` is for [`Bends::Turning`], such as an oil column whose
+/// stiffness changes with the sign of the force. `WHOLE` is for friction behind the series spring.
+///
+/// `RUBBER` is not a factor, because the smooth force of a bushing is integrated with the fourth-order method. Its
+/// number n of substeps meets n² ≥ `RUBBER` f, where f is the angular frequency of the mass times the step.
 const KNEE: f64 = 1.3;
 const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;

@@ -255,7 +255,7 @@ pub struct Shift {
 pub struct TestOutcome {
     /// Name of the test.
     pub test: String,
-    /// Whether the test was left out.
+    /// Whether the test was left out of all refits, so that it checks the improved model.
     pub left_out: bool,
     /// Root mean square error of the given model, N.
     pub before_rmse_n: f64,

@@ -129,8 +129,8 @@ impl<'a, D> SettingsFigures<'a, D> {
 pub struct EffectAtSetting {
     /// Value of the setting.
     pub setting: f64,
-    /// Probability that the damper has the effect at this setting. It is the confidence of the finding if the effect is
-    /// named, otherwise the probability in the inventory.
+    /// Probability that the damper has the effect at this setting. If the diagnosis has a [`Finding`] for the effect,
+    /// it is the confidence of this finding. Otherwise, it is the probability of the effect's [`InventoryItem`].
     pub probability: f64,
     /// Force of the effect at this setting, N rms.
     pub force_n_rms: f64,

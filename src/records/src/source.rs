@@ -168,7 +168,8 @@ impl Budget {
 }
 
 fn charge(left: &AtomicU64, amount: u64) -> Result<(), Exhausted> {
-    // One thread reads a file. The counter is atomic only so that parts of a reader can share the budget.
+    // Only one thread reads a file, so a separate load and store suffice. The counter is atomic only so that parts of
+    // the reader can share it.
     let rest = left.load(Relaxed).checked_sub(amount);
     left.store(rest.unwrap_or(0), Relaxed);
     rest.map(|_| ()).ok_or(Exhausted)

@@ -46,8 +46,9 @@ fn seen(records: &[Record]) -> Vec<&Record> {
 }
 
 impl SeverityContext {
-    /// Makes the context from the neutral damper's campaign. `percent` is the noise of the rig in percent of the rms
-    /// force of each record. `knows_side_force` is true if the diagnosed model has side-force friction.
+    /// Makes the context from the campaign of the neutral damper, which has no injected effect. The noise of a record
+    /// has a standard deviation of `percent` percent of its rms force, plus 0.5 N. `knows_side_force` is true if the
+    /// diagnosed model has side-force friction.
     ///
     /// # Errors
     /// Errors of reader or fit.

@@ -138,7 +138,8 @@ fn scaled(raw: &[f64], zero: f64, one: f64) -> Vec<f64> {
 ///
 /// Force errors of the model at the two settings do not belong to the response. So the measured response is scaled to end at the same
 /// fraction as the model's response. This fraction is below 1 if the next step follows too early for the valve. If the fraction were set to
-/// 1, a time constant of 60 ms would appear as 47 ms at 63 %.
+/// 1, the measured response would appear too fast. For example, with 0.136 s between the steps, a time constant of 60 ms would appear as
+/// 47 ms at 63 %.
 fn both(steps: &[&Step], grid: &[f64]) -> ([Vec<f64>; 2], f64) {
     let forces: [fn(&Step) -> &StepForces; 2] = [|step| &step.measured, |step| &step.model];
     let [measured, model] =

@@ -1,7 +1,7 @@
 //! Tests of the fit of an adjustable damper to synthetic records of a damper with known parameters.
 //!
-//! The fit finds which parameters depend on the setting. The intervals contain the true values, and the model predicts
-//! the force at a setting between the measured settings.
+//! The fit finds which parameters depend on the setting. At least nine tenths of the confidence intervals of the
+//! parameters contain the true values. The model predicts the force at a setting between the measured settings.
 
 use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::family::{Axis, Definition};

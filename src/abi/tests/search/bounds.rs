@@ -158,7 +158,7 @@ fn thrown(case: &Case) -> f64 {
     unit * (times + deflection * (1.0 + deflection * deflection))
 }
 
-/// Largest ratio of the force of a lagging valve to the FV curve. A closed valve passes a hundredth of the flow.
+/// Approximate largest ratio of the force of a lagging valve to the FV curve. The leakage of a closed valve limits it to 101.
 const SHUT: f64 = 100.0;
 
 /// Returns the largest force, N, of the elements along the motion, with the worst timing.

@@ -26,7 +26,7 @@ use crate::schema::{Describe, Parameter, View};
 ///
 /// With q as the state, an implicit stage would solve ℓ(q) (q − Q)/g = u − w. Q is the known part of q, and g, s, the
 /// weight of dq/dt in the stage. The left side falls with q where the longer chamber begins to act, so there are three
-/// solutions. Stages on both sides of rest would also combine to a state that is wrong on both sides.
+/// solutions. If the stages of one step had deflections q of both signs, their combination would also give a wrong q.
 ///
 /// In compression k_o is r_o times that in rebound. In a twin tube, the force in compression acts on the oil below the
 /// piston through the rod area alone. The oil below therefore deflects more under the same force than the oil above.

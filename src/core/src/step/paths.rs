@@ -529,9 +529,9 @@ impl<T: Tables> Substep<'_, T> {
     /// if its elements reverse abruptly.
     ///
     /// If the state of a two-chamber oil column is the absorbed part of the piston stroke, the valve force is also
-    /// checked. Stages on both sides of rest, with different chamber lengths, may combine to a force that is wrong on
-    /// both sides. The check of the total force does not detect this with strong series damping, because the total
-    /// force then differs widely between the stages.
+    /// checked. If the stages have deflections of both signs, and thus different chamber lengths, their combination may
+    /// give a wrong force. The check of the total force does not detect this with strong series damping, because the
+    /// total force then differs widely between the stages.
     #[inline(always)]
     fn take<const ON: u32>(&self, method: &Tableau, now: &mut Now, follow: &mut impl EachStage) {
         let turns = acts::<ON>(&self.elements.paths, CAVITATION) && self.driven_turns(now);

@@ -12,7 +12,7 @@ use crate::structure::prior_odds::log_prior;
 /// A refitted family.
 #[derive(Clone)]
 pub struct FamilyStructure {
-    /// Free parameters of the family, starting from the result of the refit.
+    /// Free parameters of the family. Their start values are the result of the refit.
     pub hypothesis: FamilyHypothesis,
     /// Effects of the family.
     pub components: Vec<Component>,

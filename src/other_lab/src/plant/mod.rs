@@ -59,7 +59,8 @@ pub struct OilContext {
     pub viscosity: f64,
 }
 
-/// The hydraulic part of a damper. Its states follow those of mount, mass and seal.
+/// The hydraulic part of a damper. In the state vector of the damper, its states come after those of mount, mass and
+/// seal.
 pub trait Oil: Send + Sync {
     /// Returns the number of hydraulic states.
     fn states(&self) -> usize;

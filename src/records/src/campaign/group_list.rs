@@ -84,8 +84,9 @@ pub fn named(by: &str) -> Option<(&Path, &str)> {
 }
 
 impl GroupList {
-    /// Reads a list: a heading, then one line for each test. The first column contains names of tests, files or
-    /// folders. `*` matches any text. Commas, semicolons or tabs separate the columns.
+    /// Reads a list: a heading, then one line for each test, file or folder, whose name is in the first column. In
+    /// names of tests and files, `*` matches any text. `column` is the heading of the column with the groups. Commas,
+    /// semicolons or tabs separate the columns.
     ///
     /// # Errors
     /// A file that cannot be read, a missing column, a line without the heading's number of entries, or no line with a

@@ -188,7 +188,8 @@ fn typical(cycles: &[Cycle], of: impl Fn(&Cycle) -> f64, least: f64) -> (f64, f6
     (centre, restrict(4.0 * scatter / centre, least, TOLERANCE.1))
 }
 
-/// Returns all intervals between two upward crossings, similar or not.
+/// Returns the intervals between successive upward crossings of the level midway between the turning points. These
+/// candidates for cycles are not checked for similarity. Successive turning points differ by more than `threshold`.
 pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> {
     let turns = turning_points(x, threshold);
     let crossings = crossings(time, x, &turns);

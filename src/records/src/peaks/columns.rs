@@ -360,8 +360,9 @@ fn named(
                 ));
             }
         };
-        // A named column of one stroke replaces the candidates of that stroke and of both strokes. A named column of
-        // both strokes replaces all candidates of its quantity.
+        // A column that the user names for one stroke replaces the candidates of its quantity for this stroke, and
+        // those without a stroke. A column named without a stroke replaces all candidates of its quantity. Other
+        // columns that the user names remain.
         candidates.retain(|c| {
             let of_kind = c.what.force == what.force
                 && (what.stroke.is_none() || c.what.stroke.is_none() || c.what.stroke == what.stroke);

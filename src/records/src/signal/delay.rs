@@ -78,8 +78,9 @@ pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
     }
 }
 
-/// Returns the delay with the smallest unexplained variance, among the delays with which no test clearly feeds energy.
-/// Reverses the sign of the force in the tests with the indices `turned`. Returns `None` if there is no such delay.
+/// Returns the delay with the smallest unexplained variance, among the delays that meet a condition. With such a delay,
+/// no test clearly feeds energy to the rig, and at least one test clearly dissipates energy. Returns `None` if no delay
+/// meets this condition. In the tests with the indices `turned`, the sign of the force is reversed first.
 fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
     if tests.is_empty() {
         return None;

@@ -486,7 +486,8 @@ fn a_request_shows_what_makes_the_force() {
             let unknown = started(&solver, routine, &with(&path, &["end=0.01", "request=99"]));
             assert_eq!(unknown.request(), [0.0; 8]);
         }
-        // At a displacement of up to 70 mm, the stop carries force.
+        // At the end of this run, the displacement is 70 mm. There, the rebound stop of the second model carries force.
+        // The first model has no stop.
         let far = ["amplitude=70", "frequency=1", "end=0.5", "page=2"];
         let run = started(&solver, "sfo", &with(&path, &far));
         let last = *run.accepted().last().unwrap();

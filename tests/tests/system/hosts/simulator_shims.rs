@@ -1,5 +1,5 @@
-//! Tests of the source shims for CarMaker, CarSim and Simulink. The shims are compiled with declarations of this
-//! project and called as by their hosts.
+//! Tests of the source shims for CarMaker, CarSim and Simulink. The shims are compiled with this project's own
+//! declarations of the host interfaces. The tests call them in the way the hosts do.
 
 use dashpot_tests::bridge::{MODEL, bridge_host, map};
 use dashpot_tests::library::{root, succeed};

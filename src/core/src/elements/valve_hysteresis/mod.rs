@@ -29,13 +29,13 @@ use core::cell::Cell;
 /// F_h g(h(p)) = F g(h(F)),   g(h) = W(h)²/h,   h(x) = F_0 + ½ (x − F_0 + √((x − F_0)² + b²))
 /// ```
 ///
-/// All forces are relative to the force at standstill. W(h) is the velocity at which the FV curve has the force h, so g
-/// is the conductance of the whole passage. In these forms F_0 is the opening force: below it the valve is closed, and
-/// it opens over the width b. A closed valve still passes a hundredth of the flow. A force against the stroke does not
-/// open the valve. The force F_h moves the valve. With play, p follows F_h beyond the play P, with the time constant τ.
-/// The law is τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩ sgn(F_h − p). ⟨x⟩ is x²/(x + P_0) for a positive x and 0
-/// otherwise, with P_0 = 10 N. A spool has mass, so p oscillates with the damping ratio ζ: τ² d²p/dt² + 2 ζ τ dp/dt + p
-/// = F_h.
+/// All forces are relative to the force at standstill. W(h) is the velocity at which the FV curve has the force h. So
+/// g, velocity squared per force, m²/(N s²), is the quadratic conductance of the whole passage. In these forms F_0 is
+/// the opening force: below it the valve is closed, and it opens over the width b. The leakage of a closed valve limits
+/// F_h to 101 F. A force against the stroke does not open the valve. The force F_h moves the valve. With play, p
+/// follows F_h beyond the play P, with the time constant τ. The law is τ dp/dt = ⟨|F_h − p| − P |F_h|/(|F_h| + P)⟩
+/// sgn(F_h − p). ⟨x⟩ is x²/(x + P_0) for a positive x and 0 otherwise, with P_0 = 10 N. A spool has mass, so p
+/// oscillates with the damping ratio ζ: τ² d²p/dt² + 2 ζ τ dp/dt + p = F_h.
 #[derive(Clone, Copy, Debug)]
 pub struct ValveHysteresis<T: Tables = Owned> {
     form: Form,
@@ -88,7 +88,8 @@ const SOFT: f64 = 10.0;
 /// Largest length of a substep, relative to the valve's time constant, at which the stages of a valve with play build
 /// on each other. In a longer substep, each stage computes the state directly from the start of the substep.
 const LONG: f64 = 1.0;
-/// Fraction of the oil that passes a closed valve: a lagging valve multiplies the force by at most 101.
+/// Leakage of the valve: its quadratic conductance, relative to that of the passage with the valve in its steady
+/// position under F. It limits F_h to 101 F.
 const LEAKS: f64 = 0.01;
 /// Largest number of Newton steps or bisections for the force F_h behind the valve.
 const STEPS: usize = 60;
