@@ -6,7 +6,6 @@ use super::literature::piecewise_linear::COEFFICIENTS_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured};
 use super::phrases;
-use super::short::in_words;
 use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
@@ -34,7 +33,7 @@ use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_messages::{Sentence, Template};
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::{Record, reading_unit};
+use dashpot_records::Record;
 use std::sync::Arc;
 
 /// Kind of model to fit.
@@ -553,14 +552,9 @@ fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Fo
     Found { params, estimates, inventory: Vec::new(), measured, notes, misfit }
 }
 
-/// Formats a sentence about a number of the model.
+/// Formats a sentence about a number of the model, with the digits and the unit of the table of numbers.
 pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
-    // Round to significant digits instead of decimals. With four decimals, a value of 0.15 mm in m would become 0.2 mm, and a creep of nm/s
-    // would become 0.
-    // The unit is that of the tables in a report.
-    let (factor, unit) = reading_unit(estimate.value, estimate.unit);
-    let value = format!("{} {unit}", in_words(factor * estimate.value));
-    Sentence::from(template).with("name", estimate.name).with("value", value.trim_end())
+    Sentence::from(template).with("name", estimate.name).with("value", estimate.reading().with_unit())
 }
 
 /// Computes the root mean square of the weighted residual over the scored samples.
@@ -721,7 +715,7 @@ mod tests {
             of_number(phrases::HELD, &held).to_string()
         };
         assert!(said("presliding_length", 1.524_89e-4, "m").ends_with("held at 0.1525 mm"));
-        assert!(said("presliding_creep", 1e-9, "m/s").ends_with("held at 0.000001000 mm/s"));
+        assert!(said("presliding_creep", 1e-9, "m/s").ends_with("held at 1.000·10⁻⁶ mm/s"));
         assert!(said("gas_force", 58.040_02, "N").ends_with("held at 58.04 N"));
     }
 
