@@ -33,7 +33,7 @@ use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_messages::{Sentence, Template};
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::Record;
+use dashpot_records::{Record, RigFrame, round_figure};
 use std::sync::Arc;
 
 /// Kind of model to fit.
@@ -316,7 +316,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     };
     found.notes.extend(selection.map(|(_, note)| note));
     found.notes.extend(describe_roads(&tests));
-    found.notes.extend(coverage_notes(&segments));
+    found.notes.extend(coverage_notes(&segments, &frame(records)));
     if options.family == Family::Thesis && found.measured.is_empty() && found.misfit > OFF {
         found.notes.extend(zero_moves(&segments, &found.params));
     }
@@ -651,12 +651,18 @@ pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     Some(said.with("seconds", format!("{seconds:.1}")))
 }
 
+/// Returns the coordinates of the files of a campaign.
+pub(crate) fn frame(records: &[&Record]) -> RigFrame {
+    records.first().map(|record| record.frame).unwrap_or_default()
+}
+
 /// Returns notes about tests that the campaign lacks: slow tests, and tests of different amplitudes.
-pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
+pub(crate) fn coverage_notes(segments: &[Segment], frame: &RigFrame) -> Vec<Sentence> {
     let mut notes = Vec::new();
-    let velocity = format!("{:.0}", 1e3 * SLOW);
+    let unit = frame.speed_unit();
+    let velocity = round_figure(SLOW / unit.to_si(1.0));
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
-        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity));
+        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity).with("unit", unit.name()));
     }
     let is_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
         let (low, high) = amplitudes.fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(a), h.max(a)));
@@ -666,7 +672,7 @@ pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
         notes.push(phrases::ONE_AMPLITUDE.into());
     } else if is_one(&mut segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude)) {
         // Slow tests show friction and gas, but hardly the spring in series.
-        notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity));
+        notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity).with("unit", unit.name()));
     }
     notes
 }
@@ -696,7 +702,7 @@ mod tests {
         };
         let said = |all: &[(f64, f64)]| -> Vec<String> {
             let all: Vec<Segment> = all.iter().map(|(amplitude, peak)| segment(*amplitude, *peak)).collect();
-            let notes = coverage_notes(&all).iter().map(ToString::to_string).collect::<Vec<_>>();
+            let notes = coverage_notes(&all, &RigFrame::default()).iter().map(ToString::to_string).collect::<Vec<_>>();
             notes.into_iter().filter(|note| note.contains("amplitude")).collect()
         };
         let (slow, fast) = (0.5 * SLOW, 10.0 * SLOW);

@@ -200,7 +200,7 @@ mod tests {
         assert_eq!(said([3e-3, 2.9e-3, 3.1e-3]), "the force channel comes late by 3.00 ms (95 %: 2.90 to 3.10)");
         assert_eq!(
             said([-0.635e-3, -0.7e-3, -0.5e-3]),
-            "the force channel comes early by 0.63 ms (95 %: 0.50 to 0.70)"
+            "the force channel comes early by 0.64 ms (95 %: 0.50 to 0.70)"
         );
     }
 }

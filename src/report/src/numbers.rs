@@ -2,8 +2,8 @@
 
 use crate::plot::ticks::number;
 use crate::words::Words;
-use dashpot_records::newtons::places;
 use dashpot_records::Reading;
+use dashpot_records::newtons::places;
 
 /// Formats a force, N, without decimals. Below 10 N it has two digits, for small dampers.
 pub fn force(newton: f64) -> String {
@@ -36,7 +36,7 @@ pub fn digits(value: f64, significant: i32) -> String {
 }
 
 /// Replaces the ASCII minus of a number.
-fn typographic(number: &str) -> String {
+pub(crate) fn typographic(number: &str) -> String {
     number.replace('-', "\u{2212}")
 }
 

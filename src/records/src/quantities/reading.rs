@@ -77,6 +77,17 @@ pub fn digits(value: f64, significant: i32) -> String {
     format!("{mantissa}\u{b7}10{}", superscript(exponent))
 }
 
+/// Formats a round number, such as one of a proposed test: two significant digits without trailing zeros or a power of ten.
+pub fn round_figure(value: f64) -> String {
+    if value == 0.0 || !value.is_finite() {
+        return "0".to_owned();
+    }
+    let decimals = 1 - libm::log10(value.abs()).floor() as i32;
+    let scale = 10f64.powi(decimals);
+    let text = fixed((value * scale).round() / scale, decimals.max(0) as usize);
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+}
+
 /// Formats a whole number as a superscript.
 fn superscript(value: i32) -> String {
     const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
@@ -96,10 +107,14 @@ mod tests {
             [r.value, r.low, r.high, r.unit]
         };
         assert_eq!(of(4.82e6, 4.418e6, 4.939e6, "N/m"), ["4820", "4418", "4939", "N/mm"]);
-        assert_eq!(of(0.000_635, 0.0005, 0.0007, "s"), ["0.635", "0.500", "0.700", "ms"]);
+        assert_eq!(of(0.000_635, 0.0005, 0.0007, "s"), ["0.64", "0.50", "0.70", "ms"]);
         assert_eq!(of(-832.4, -960.0, -472.0, "N"), ["-832", "-960", "-472", "N"]);
         assert_eq!(of(1e-9, 0.0, 0.0, "m/s"), ["1.000·10⁻⁶", "0", "0", "mm/s"]);
         assert_eq!(Reading::single(140.0, "N").with_unit(), "140.0 N");
         assert_eq!(Reading::single(0.4, "-").with_unit(), "0.4000");
+        assert_eq!(
+            [0.05, 30.0, 1000.0, 94.2, 0.0197, 0.0].map(round_figure),
+            ["0.05", "30", "1000", "94", "0.02", "0"]
+        );
     }
 }

@@ -91,8 +91,8 @@ pub(super) mod tests {
 
     #[test]
     fn what_a_model_file_keeps_is_said_as_if_it_came_from_the_fit() {
-        let held = |name: &str, value: &str, unit: &str| {
-            format!("{{ id = \"identification-held\", name = \"{name}\", value = \"{value}\", unit = \"{unit}\" }}")
+        let held = |name: &str, value: &str| {
+            format!("{{ id = \"identification-held\", name = \"{name}\", value = \"{value}\" }}")
         };
         let share = |tests: &str, percent: &str| {
             format!("{{ id = \"identification-share-of\", tests = {{ word = \"{tests}\" }}, percent = \"{percent}\" }}")
@@ -100,7 +100,7 @@ pub(super) mod tests {
         let all = format!("[{}, {}]", share("slow tests", "60"), share("small strokes", "40"));
         let kept_and_said = [
             (
-                held("internal_mass", "0.3000", "kg"),
+                held("internal_mass", "0.3000 kg"),
                 "internal_mass could not be identified from this data; it is held at 0.3000 kg",
                 "innere Masse (internal_mass) ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf 0,3000 kg gehalten",
             ),
