@@ -827,6 +827,8 @@ class TestReport:
         renderer = canvas.get_renderer()
         area = figure.bbox
         for axes in figure.axes:
+            title = axes.xaxis.label.get_window_extent(renderer)
+            assert title.y0 >= area.y0 and title.x0 >= area.x0 and title.x1 <= area.x1, axes.get_xlabel()
             for way in (axes.xaxis, axes.yaxis):
                 low, high = sorted(axes.get_xlim() if way is axes.xaxis else axes.get_ylim())
                 shown = [t.label1 for t in way.get_major_ticks() if low <= t.get_loc() <= high and t.label1.get_text()]

@@ -336,10 +336,10 @@ def figure_of(q: Quantity, dates: Numbers, order: Places, chart: Control | None,
     """Draws the values of one quantity: their distribution, over date, over the order of manufacture, and by batch."""
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(12.5, 2.9), dpi=DPI)
+    figure = Figure(figsize=(12.5, 3.2), dpi=DPI)
     axes = figure.subplots(1, 4, width_ratios=[1, 1.2, 1.6, 1])
     # The margins are fixed, because automatic layout takes longer than drawing.
-    figure.subplots_adjust(left=0.065, right=0.985, bottom=0.27, top=0.96, wspace=0.36)
+    figure.subplots_adjust(left=0.065, right=0.985, bottom=0.34, top=0.96, wspace=0.36)
     there = q.values[np.isfinite(q.values)]
     base = _base(there)
     unit = q.unit if base == 0 else f"difference from {base:.10g} {q.unit}"
@@ -389,24 +389,40 @@ def _base(values: Numbers) -> float:
 
 def _set_ticks(axes: Any, way: Any, whole: bool) -> None:
     """Sets the largest number of ticks at which labels are complete, differ from each other and do not overlap."""
-    from matplotlib.ticker import FixedLocator, MaxNLocator, ScalarFormatter
+    from matplotlib.ticker import FixedFormatter, FixedLocator, MaxNLocator
 
     is_x = way is axes.xaxis
     box = axes.get_position()
     width, height = (DPI * axes.figure.get_size_inches() * (box.width, box.height)).tolist()
     low, high = axes.get_xlim() if is_x else axes.get_ylim()
     for most in (5, 4, 3, 2, 1):
-        formatter = ScalarFormatter(useOffset=False)
-        formatter.set_powerlimits((-4, 6))
-        formatter.set_axis(way)
         locator = MaxNLocator(most, integer=whole, steps=[1, 2, 2.5, 5, 10], min_n_ticks=1)
         at = [float(tick) for tick in locator.tick_values(low, high) if low <= tick <= high]
-        labels = formatter.format_ticks(at)
+        labels = _labels(at)
         needed = sum(_DIGIT * len(label) + 10 for label in labels) if is_x else _LINE * len(labels)
-        if at and len(set(labels)) == len(labels) and needed <= (width if is_x else height):
+        if at and needed <= (width if is_x else height):
             break
     way.set_major_locator(FixedLocator(at))
-    way.set_major_formatter(formatter)
+    way.set_major_formatter(FixedFormatter(labels))
+
+
+def _labels(at: Sequence[float]) -> list[str]:
+    """Formats ticks with the fewest digits that state each of them. Every label is a complete number, without a power of ten in a corner."""
+    step = min((b - a for a, b in zip(at, at[1:], strict=False)), default=max((abs(tick) for tick in at), default=1.0)) or 1.0
+    exact = [0.0 if abs(tick) < 1e-9 * step else tick for tick in at]
+    for digits in range(1, 16):
+        labels = [f"{tick:.{digits}g}" for tick in exact]
+        if all(abs(float(label) - tick) <= 1e-6 * step for label, tick in zip(labels, exact, strict=True)):
+            break
+    # From a million on and below a ten-thousandth, numbers have an exponent.
+    return [_plain_number(float(label)) for label in labels]
+
+
+def _plain_number(value: float) -> str:
+    if value == 0 or 1e-4 <= abs(value) < 1e6:
+        return f"{value:.10f}".rstrip("0").rstrip(".")
+    mantissa, exponent = f"{value:.10e}".split("e")
+    return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
 
 
 #: Largest number of characters of a batch's name below its tick. A longer name would be cut by the edge of the picture.
