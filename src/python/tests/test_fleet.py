@@ -812,7 +812,7 @@ class TestReport:
         from matplotlib.backends.backend_agg import FigureCanvasAgg
 
         noise = np.random.default_rng(count)
-        dates = 20000.0 + noise.integers(0, 400, count)
+        dates = np.asarray(20000.0 + noise.integers(0, 400, count), dtype=np.float64)
         names = [f"supplier north, week {k % 17:02d} of 2026" if count % 2 else f"B{k // 2:03d}" for k in range(count)]
         scale = [3e-6, 1.0, 2.067e6, -1500.0][count % 4]
         spread = [1e-7, 1e-2, 3.0][count % 3]
@@ -822,7 +822,7 @@ class TestReport:
         quantity = Quantity("series_stiffness", "N/mm", values)
         order = np.arange(count)
         figure = figure_of(quantity, dates, order, control(values), batches(names, values))
-        canvas = FigureCanvasAgg(figure)
+        canvas: Any = FigureCanvasAgg(figure)
         canvas.draw()
         renderer = canvas.get_renderer()
         area = figure.bbox
