@@ -67,9 +67,7 @@ fn a_note_states_the_numbers_of_its_table() {
     let delayed: Vec<Record> = plain.iter().map(|record| correct_record(record, &wrong)).collect();
     // Tests that are slow alone leave the series path open.
     let slow: Vec<Record> = plain.iter().filter(|record| record.peak_velocity < 0.4).cloned().collect();
-    let all = ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"];
-
-    let known: Vec<&str> = all.to_vec();
+    let known = ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"];
     let fits = [
         fitted(&plain, &known, vec![prior(number!("gas_force"), 2.5 * gas, 0.02 * gas)]),
         fitted(&plain, &known, vec![prior(number!("gas_force"), 1.01 * gas, 0.5 * gas)]),
@@ -90,8 +88,12 @@ fn a_note_states_the_numbers_of_its_table() {
             if note.contains(" is held at ") || note.contains("ran into the bound") {
                 let stated = note.rsplit_once(" at ").unwrap().1.split(':').next().unwrap();
                 let row = row(name);
-                let shown = format!("{} {}", row[0], row[1]);
-                assert_eq!(stated, shown.trim_end(), "{note}");
+                if row[0] == "–" {
+                    // A number that the records leave open has no value in the table, and its remark states what is assumed.
+                    assert!(row[5].contains(stated), "{note} {row:?}");
+                } else {
+                    assert_eq!(stated, format!("{} {}", row[0], row[1]).trim_end(), "{note}");
+                }
                 *seen.entry("held").or_default() += 1;
             } else if note.contains(" contradicts the dimensions ") {
                 let stated = between(&note, "damper: ", " are ");
