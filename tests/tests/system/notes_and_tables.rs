@@ -60,7 +60,7 @@ fn figure(text: &str) -> f64 {
 #[test]
 fn a_note_states_the_numbers_of_its_table() {
     let truth = base();
-    let plain = campaign(&truth, 3, 0.01, &tests());
+    let plain = campaign(&truth, &tests(), 3, 0.01);
     let gas = truth.number(number!("gas_force"));
     let late = MeasurementError { delay_s: 3e-3, ..MeasurementError::NONE };
     let wrong = MeasurementError { delay_s: -late.delay_s, ..MeasurementError::NONE };

@@ -11,8 +11,8 @@ fn change(change: &Change) -> String {
     format!("{value} (95 %: {interval})")
 }
 
-fn count_numbers(count: usize) -> String {
-    if count == 1 { "1 number".to_owned() } else { format!("{count} numbers") }
+fn count_more(count: usize) -> String {
+    if count == 1 { "1 more number".to_owned() } else { format!("{count} more numbers") }
 }
 
 /// Largest number of changes that the text lists for a group.
@@ -50,7 +50,7 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             lines.push(format!("    {:<30} {before:>16} -> {}", one.label(), change(one)));
         }
         if all > changed.len() {
-            lines.push(format!("    and {} more: --report or --json has them", count_numbers(all - changed.len())));
+            lines.push(format!("    and {}: --report or --json has them", count_more(all - changed.len())));
         }
     }
     lines.extend(answers.as_the_fit_saw.iter().map(|text| format!("note: {text}")));
