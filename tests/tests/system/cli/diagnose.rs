@@ -461,6 +461,9 @@ fn groups_are_compared_with_one_reference() {
     std::fs::create_dir(dir.join("fleet/d")).unwrap();
     for entry in std::fs::read_dir(dir.join("fleet/c")).unwrap() {
         let path = entry.unwrap().path();
+        if path.is_dir() {
+            continue;
+        }
         std::fs::copy(&path, dir.join("fleet/d").join(path.file_name().unwrap())).unwrap();
     }
     let told = done(
