@@ -7,7 +7,7 @@ use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::unknowns::Unknown;
 use dashpot_messages::Sentence;
-use dashpot_records::reading_unit;
+use dashpot_records::{Reading, reading_unit};
 use serde::Serialize;
 
 /// One change compared with the reference damper.
@@ -128,6 +128,11 @@ pub fn changes(
 }
 
 impl Change {
+    /// Formats the value of this damper and its interval with the digits that all tables and sentences use.
+    pub fn reading(&self) -> Reading {
+        Reading::new(self.value, self.low, self.high, self.unit)
+    }
+
     /// Returns the name of the change in a table.
     pub fn label(&self) -> String {
         match self.velocity_m_s {
@@ -138,12 +143,10 @@ impl Change {
 
     /// Formats the change as a sentence, for example "gas_force -14.7 -> 24.0 N".
     pub fn sentence(&self) -> Sentence {
-        let (factor, unit) = reading_unit(self.value.abs().max(self.reference.abs()), self.unit);
-        let digits = |value: f64| match factor * value {
-            0.0 => "0".to_owned(),
-            value => format!("{value:.*}", (3 - libm::log10(value.abs()).floor() as i32).clamp(0, 12) as usize),
-        };
-        let (reference, value) = (digits(self.reference), digits(self.value));
+        // The unit is that of this damper's value, as in the table of changes. The reference has this unit as well.
+        let reading = self.reading();
+        let (factor, _) = reading_unit(self.value, self.unit);
+        let reference = Reading::in_unit([factor * self.reference, f64::NAN, f64::NAN], &reading.unit).value;
         if let Some(velocity) = self.velocity_m_s {
             let said = match self.name {
                 "fv_curve" => phrases::CHANGED_BOTH,
@@ -159,9 +162,9 @@ impl Change {
                 .with("percent", format!("{percent:+.0}"))
                 .with("velocity", format!("{:.0}", 1e3 * velocity.abs()))
                 .with("reference", reference)
-                .with("value", value);
+                .with("value", reading.value);
         }
-        let value = if unit.is_empty() { value } else { format!("{value} {unit}") };
+        let value = reading.with_unit();
         Sentence::from(phrases::OTHER_NUMBER).with("name", self.name).with("reference", reference).with("value", value)
     }
 }

@@ -1,5 +1,6 @@
 //! Composition of the outcome: verdict, inventory, findings, changes, errors before and after, next tests.
 
+use super::advice::Advice;
 use super::calibration::confidence;
 use super::changes::{Change, changes};
 use super::decisions::{MATERIAL, NAMED, QUIET, UNEXPLAINED};
@@ -190,7 +191,7 @@ impl Composed<'_> {
             gap_closed(&self.left, &left_before, &left_after)
         };
         let effects: Vec<&str> = names.iter().map(|c| c.effect).collect();
-        let could_not_test = untestable::list(&self.situation, &self.search.visible, &effects);
+        let could_not_test = untestable::list(&self.situation, &self.search.visible, &effects, &self.advice());
         let summary = match judged.verdict {
             Verdict::NothingMissing => self.with_limits(judged.summary.clone(), &could_not_test),
             _ => judged.summary.clone(),
@@ -623,8 +624,11 @@ impl Composed<'_> {
                 });
             }
         }
-        let frame = self.records.first().map(|record| record.frame).unwrap_or_default();
-        next_test::propose(&rivals, &next_test::Rig::from_tests(&self.fitted), &frame)
+        next_test::propose(&rivals, &next_test::Rig::from_tests(&self.fitted), &self.advice())
+    }
+
+    fn advice(&self) -> Advice {
+        Advice::new(self.records, &self.situation)
     }
 }
 

@@ -1,5 +1,6 @@
 //! Description of each effect: location, meaning, required records, and the test that shows the effect best.
 
+use super::advice::Advice;
 use super::phrases;
 use dashpot_core::element;
 use dashpot_core::parameter::GROUPS;
@@ -18,10 +19,10 @@ pub struct Card {
     /// Test that shows the effect best.
     pub remedy: Template,
     /// Returns the reason why the records cannot show the effect with their channels and ranges, or `None` if they can.
-    pub missing: fn(&Situation) -> Option<Sentence>,
+    pub missing: fn(&Situation, &Advice) -> Option<Sentence>,
 }
 
-fn nothing(_: &Situation) -> Option<Sentence> {
+fn nothing(_: &Situation, _: &Advice) -> Option<Sentence> {
     None
 }
 
@@ -42,7 +43,7 @@ const HEAT: f64 = 500.0;
 /// Smallest distance from zero displacement, m, that tests must reach to show a stop of a damper.
 const STOPS: f64 = 0.04;
 
-fn behind_series(s: &Situation) -> Option<Sentence> {
+fn behind_series(s: &Situation, _: &Advice) -> Option<Sentence> {
     (!s.base.is_on(element!("series_compliance"))).then(|| phrases::NEEDS_SERIES.into())
 }
 
@@ -67,7 +68,7 @@ pub const CARDS: &[Card] = &[
         path: "gas and springs",
         family: "gas temperature",
         remedy: phrases::SHOW_GAS_WARMING,
-        missing: |s| (!s.temperature_measured).then(|| phrases::NEEDS_MEASURED_TEMPERATURE.into()),
+        missing: |s, _| (!s.temperature_measured).then(|| phrases::NEEDS_MEASURED_TEMPERATURE.into()),
     },
     Card {
         name: element!("coulomb_friction").name(),
@@ -95,14 +96,14 @@ pub const CARDS: &[Card] = &[
         path: "friction",
         family: "viscous friction",
         remedy: phrases::SHOW_SLOW,
-        missing: |s| (!s.base.is_on(element!("viscous_friction"))).then(|| phrases::NEEDS_FIXED_CURVE.into()),
+        missing: |s, _| (!s.base.is_on(element!("viscous_friction"))).then(|| phrases::NEEDS_FIXED_CURVE.into()),
     },
     Card {
         name: element!("side_force_friction").name(),
         path: "friction",
         family: "friction under load",
         remedy: phrases::SHOW_SIDE_FORCE,
-        missing: |s| (s.side_force_span < SIDE_FORCE * s.scale.force()).then(|| phrases::NEEDS_SIDE_FORCE.into()),
+        missing: |s, _| (s.side_force_span < SIDE_FORCE * s.scale.force()).then(|| phrases::NEEDS_SIDE_FORCE.into()),
     },
     Card {
         name: element!("series_compliance").name(),
@@ -151,7 +152,7 @@ pub const CARDS: &[Card] = &[
         path: "hydraulic",
         family: "oil temperature",
         remedy: phrases::SHOW_FADE,
-        missing: |s| {
+        missing: |s, _| {
             (!s.temperature_measured && s.heat_span < HEAT * s.scale.force()).then(|| phrases::NEEDS_TEMPERATURE.into())
         },
     },
@@ -160,29 +161,21 @@ pub const CARDS: &[Card] = &[
         path: "hydraulic",
         family: "valves",
         remedy: phrases::SHOW_POSITION,
-        missing: |s| (s.places_span < PLACES).then(|| phrases::NEEDS_PLACES.into()),
+        missing: |s, _| (s.places_span < PLACES).then(|| phrases::NEEDS_PLACES.into()),
     },
     Card {
         name: element!("bump_stop").name(),
         path: "gas and springs",
         family: "stop",
         remedy: phrases::SHOW_BUMP_STOP,
-        missing: |s| {
-            (s.reach.0 > -STOPS).then(|| {
-                Sentence::from(phrases::ONLY_WITHIN_COMPRESSION).with("reach", format!("{:.0}", 1e3 * s.reach.0.abs()))
-            })
-        },
+        missing: |s, advice| (s.reach.0 > -STOPS).then(|| advice.sentence(phrases::ONLY_WITHIN_COMPRESSION)),
     },
     Card {
         name: element!("rebound_stop").name(),
         path: "gas and springs",
         family: "stop",
         remedy: phrases::SHOW_REBOUND_STOP,
-        missing: |s| {
-            (s.reach.1 < STOPS).then(|| {
-                Sentence::from(phrases::ONLY_WITHIN_EXTENSION).with("reach", format!("{:.0}", 1e3 * s.reach.1.abs()))
-            })
-        },
+        missing: |s, advice| (s.reach.1 < STOPS).then(|| advice.sentence(phrases::ONLY_WITHIN_EXTENSION)),
     },
     Card {
         name: element!("free_play").name(),
@@ -196,7 +189,7 @@ pub const CARDS: &[Card] = &[
         path: "hydraulic",
         family: "valves",
         remedy: phrases::SHOW_FREQUENCY,
-        missing: |s| (s.frequency_ratio < FREQUENCIES).then(|| phrases::NEEDS_FREQUENCIES.into()),
+        missing: |s, advice| (s.frequency_ratio < FREQUENCIES).then(|| advice.sentence(phrases::NEEDS_FREQUENCIES)),
     },
     Card {
         name: element!("valve_hysteresis").name(),
@@ -218,14 +211,16 @@ pub const CARDS: &[Card] = &[
         path: "rig",
         family: "load cell",
         remedy: phrases::SHOW_ZERO,
-        missing: |s| (s.base.is_on(element!("gas_preload")) && s.pauses.is_empty()).then(|| phrases::NEEDS_ZERO.into()),
+        missing: |s, _| {
+            (s.base.is_on(element!("gas_preload")) && s.pauses.is_empty()).then(|| phrases::NEEDS_ZERO.into())
+        },
     },
     Card {
         name: "force_drift",
         path: "rig",
         family: "load cell",
         remedy: phrases::SHOW_DRIFT,
-        missing: |s| (s.clock_span <= 1.0).then(|| phrases::NEEDS_ONE_CLOCK.into()),
+        missing: |s, _| (s.clock_span <= 1.0).then(|| phrases::NEEDS_ONE_CLOCK.into()),
     },
 ];
 
@@ -245,15 +240,15 @@ pub fn card(name: &str) -> Option<&'static Card> {
     CARDS.iter().find(|c| c.name == name)
 }
 
-/// Returns the test that shows an effect best.
-pub fn remedy(effect: &str) -> Template {
-    card(effect).map_or(phrases::SHOW_MORE, |c| c.remedy)
+/// Describes the test that shows an effect best.
+pub fn remedy(effect: &str, advice: &Advice) -> Sentence {
+    advice.sentence(card(effect).map_or(phrases::SHOW_MORE, |c| c.remedy))
 }
 
 /// Returns whether the given tests can show an effect at all. A stop always counts as shown, because the search looks
 /// for stops within the range of the tests.
 pub fn can_be_shown(effect: &str, s: &Situation) -> bool {
-    card(effect).is_none_or(|c| c.family == "stop" || (c.missing)(s).is_none())
+    card(effect).is_none_or(|c| c.family == "stop" || (c.missing)(s, &Advice::default()).is_none())
 }
 
 /// Describes an effect in one line.

@@ -22,6 +22,7 @@
 //!
 //! The search, its vocabulary and its evidence are shared with a fit: `dashpot_estimation::structure`.
 
+mod advice;
 mod calibration;
 mod changes;
 mod composed;

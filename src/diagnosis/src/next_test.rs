@@ -3,6 +3,7 @@
 //! In this test, the predictions of the refitted rivals differ most relative to the noise (Hunter & Reiner,
 //! Technometrics 7, 1965).
 
+use super::advice::Advice;
 use super::effects::remedy;
 use super::outcome::NextTest;
 use super::phrases;
@@ -14,8 +15,8 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_messages::Sentence;
+use dashpot_records::RigSine;
 use dashpot_records::newtons::newtons;
-use dashpot_records::{RigFrame, RigSine, Unit};
 use rayon::prelude::*;
 use std::f64::consts::TAU;
 
@@ -110,9 +111,10 @@ fn sine(d: &Design) -> Test {
 /// have the direction and the zero of the campaign's files.
 ///
 /// For a single rival, or if no sine distinguishes the rivals, the result names the test that shows each effect best.
-pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
+pub fn propose(rivals: &[Rival], rig: &Rig, advice: &Advice) -> Vec<NextTest> {
+    let frame = &advice.frame;
     if rivals.len() < 2 {
-        return rivals.iter().map(|r| in_words(r.effect)).collect();
+        return rivals.iter().map(|r| in_words(r.effect, advice)).collect();
     }
     let zero = [0.0];
     let scale = Scale::from_params(&rivals[0].hypothesis.base);
@@ -122,7 +124,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
     let middle = 0.5 * (rig.reach.0 + rig.reach.1);
     let span = 0.5 * (rig.reach.1 - rig.reach.0);
     for amplitude in AMPLITUDES.into_iter().filter(|a| *a <= 1.01 * span) {
-        for frequency in FREQUENCIES {
+        for frequency in FREQUENCIES.into_iter().filter(|f| *f <= 1.02 * advice.frequency_hz) {
             if TAU * amplitude * frequency > 1.05 * rig.speed || TAU * amplitude * frequency < 2e-5 {
                 continue;
             }
@@ -193,10 +195,8 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
         let sine = frame.count(RigSine { amplitude_m: d.amplitude, frequency_hz: d.frequency, mean_m: d.mean });
         let unit = frame.unit;
         let figure = |length: f64| length / unit.to_si(1.0);
-        let decimals = if unit == Unit::Inch { 2 } else { 0 };
         let about = (sine.mean_m.abs() > 1e-4).then(|| {
-            let mean = format!("{:+.decimals$}", figure(sine.mean_m));
-            Sentence::from(phrases::ABOUT_MEAN).with("mean", mean).with("unit", unit.name())
+            Sentence::from(phrases::ABOUT_MEAN).with("mean", advice.position(d.mean)).with("unit", unit.name())
         });
         let under = (d.side_force > 0.0)
             .then(|| Sentence::from(phrases::UNDER_SIDE_FORCE).with("force", format!("{:.0}", d.side_force)));
@@ -222,7 +222,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig, frame: &RigFrame) -> Vec<NextTest> {
         }
     }
     if told.is_empty() {
-        told.extend(rivals.iter().take(2).map(|r| in_words(r.effect)));
+        told.extend(rivals.iter().take(2).map(|r| in_words(r.effect, advice)));
     }
     told
 }
@@ -234,9 +234,11 @@ fn short(value: f64) -> String {
 }
 
 /// Describes the test that shows one effect best.
-pub fn in_words(effect: &'static str) -> NextTest {
+pub fn in_words(effect: &'static str, advice: &Advice) -> NextTest {
     NextTest {
-        text: Sentence::from(phrases::SHOWS_BEST).with("effect", effect).with_sentence("remedy", remedy(effect)),
+        text: Sentence::from(phrases::SHOWS_BEST)
+            .with("effect", effect)
+            .with_sentence("remedy", remedy(effect, advice)),
         amplitude_m: None,
         frequency_hz: None,
         mean_displacement_m: None,
@@ -276,6 +278,7 @@ mod tests {
     use super::*;
     use dashpot_core::{Params, number};
     use dashpot_estimation::prior_set::PriorSet;
+    use dashpot_records::{RigFrame, Unit};
 
     fn hypothesis(change: impl Fn(&mut Params)) -> Hypothesis {
         let mut base = Params::new();
@@ -294,13 +297,14 @@ mod tests {
         let rig = Rig { reach, speed: 0.5, side_forces: vec![0.0], force: 20e3 };
         let inside = RigFrame { reach_m: reach, speed_m_s: 0.5, ..RigFrame::default() };
         let files = RigFrame { turn: -1.0, zero_m: 0.1, unit: Unit::Inch, ..inside };
-        let (own, counted) = (propose(&rivals, &rig, &inside), propose(&rivals, &rig, &files));
+        let of = |frame| Advice { frame, frequency_hz: 2.0, ..Advice::default() };
+        let (own, counted) = (propose(&rivals, &rig, &of(inside)), propose(&rivals, &rig, &of(files)));
         assert!(!own.is_empty() && own.len() == counted.len());
         for (own, counted) in own.iter().zip(&counted) {
             let mean = own.mean_displacement_m.unwrap();
             let (amplitude, frequency) = (own.amplitude_m.unwrap(), own.frequency_hz.unwrap());
             assert!(mean - amplitude > reach.0 - 1e-3 && mean + amplitude < reach.1 + 1e-3, "{own:?}");
-            assert!(TAU * amplitude * frequency < 0.51, "{own:?}");
+            assert!(TAU * amplitude * frequency < 0.51 && frequency <= 2.04, "{own:?}");
             assert!((counted.mean_displacement_m.unwrap() - (0.1 - mean)).abs() < 1e-12, "{counted:?}");
             let text = counted.text.to_string();
             let about = format!(" about {:+.2} in as the files count", (0.1 - mean) / 0.0254);

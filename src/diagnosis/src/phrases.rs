@@ -96,26 +96,33 @@ dashpot_messages::phrases! {
     SUM_ALONE: "the tube widens in proportion to pressure like the oil column yields: a rig shows their sum, which oil_compressibility stands for";
     // Test that shows an effect best.
     SHOW_MORE: "more amplitudes and frequencies";
-    SHOW_SLOW: "slow triangles at 0.5 to 30 mm/s, two strokes, two temperatures";
+    SHOW_SLOW: "slow triangles at {slow} to {fast} {speed_unit}, two strokes, two temperatures";
     SHOW_SPRING: "stroke the whole travel slowly, and once at 1 Hz, at two mean positions";
     SHOW_GAS_WARMING: "the force at rest in the middle of the stroke, cold and after hard work, with the temperature recorded";
-    SHOW_MOUNT: "0.05 to 0.5 mm sines at 1 to 30 Hz";
+    SHOW_MOUNT: "{small} to {large} {unit} sines at {low} to {high} Hz";
     SHOW_ZERO: "read the force at rest, with and without the damper hooked in";
-    SHOW_PRESLIDING: "strokes of 0.1 to 2 mm at 0.1 and 1 Hz: equal loops speak for it";
-    SHOW_SIDE_FORCE: "the same sine at 0, 500 and 1000 N side force";
+    SHOW_PRESLIDING: "strokes of {small} to {large} {unit} at {low} and {high} Hz: equal loops speak for it";
+    SHOW_SIDE_FORCE: "the same sine at 0, {half} and {full} N side force";
     SHOW_OIL: "one peak velocity at several strokes and frequencies, at two mean positions";
     SHOW_AERATION: "one test after a night's rest and after 200 cycles";
     SHOW_CAVITATION: "one peak velocity at several strokes, with the gas pressure raised";
     SHOW_FADE: "a reference test repeated cold and hot, in shuffled order, with the temperature recorded";
-    SHOW_POSITION: "5 to 10 mm sines at five or more mean positions";
-    SHOW_BUMP_STOP: "push slowly into the stop, then at two speeds";
-    SHOW_REBOUND_STOP: "pull slowly into the stop, then at two speeds";
+    SHOW_POSITION: "{small} to {large} {unit} sines at five or more mean positions";
+    SHOW_BUMP_STOP: "push slowly into the stop, towards {lowest} {unit} as the files count, then at two speeds";
+    SHOW_REBOUND_STOP: "pull slowly into the stop, towards {highest} {unit} as the files count, then at two speeds";
     SHOW_FREE_PLAY: "small strokes with a preload that keeps the force from crossing zero, and without";
-    SHOW_FREQUENCY: "one peak velocity at 0.5, 1, 2, 5 and 10 Hz";
+    SHOW_FREQUENCY: "one peak velocity at five frequencies from {low} to {high} Hz";
     SHOW_VALVE: "slow ramps of velocity through the knee, up and down";
     SHOW_MASS: "run the rig without the damper";
     SHOW_DELAY: "run a spring in place of the damper: its loop must close";
     SHOW_DRIFT: "repeat a reference test at the start, middle and end";
+    // Demands of a test that the records have not reached.
+    SEMICOLON: "; ";
+    BEYOND: "{test} (beyond what these tests reached: {demands})";
+    BEYOND_AMPLITUDE: "±{value} {unit} where they reached ±{reached} {unit}";
+    BEYOND_SPEED: "{value} {unit} where they reached {reached} {unit}";
+    BEYOND_FREQUENCY: "{value} {unit} where they reached {reached} {unit}";
+    BEYOND_SIDE_FORCE: "a side force of {value} {unit} where they reached {reached} {unit}";
     // Reasons why records cannot show an effect.
     NEEDS_SERIES: "it is part of the series path: the model needs series_compliance first";
     NEEDS_FIXED_CURVE: "a free FV curve takes a v² term up: it needs the curve fixed by a specification";
@@ -123,9 +130,9 @@ dashpot_messages::phrases! {
     NEEDS_TEMPERATURE: "no temperature channel varies, and the records' clocks show no heating: record the oil or tube temperature, or repeat one test cold and after hard work";
     NEEDS_MEASURED_TEMPERATURE: "no temperature channel varies: record the temperature of the oil or the tube in all tests";
     NEEDS_PLACES: "all tests pass the same places at the same speeds: run one small sine at five or more mean positions, or one peak velocity at several strokes";
-    ONLY_WITHIN_COMPRESSION: "only within the {reach} mm of compression that the tests reach: push slowly further to see a stop beyond";
-    ONLY_WITHIN_EXTENSION: "only within the {reach} mm of extension that the tests reach: pull slowly further to see a stop beyond";
-    NEEDS_FREQUENCIES: "the tests' frequencies are nearly the same: run one peak velocity at 0.5, 1, 2, 5 and 10 Hz";
+    ONLY_WITHIN_COMPRESSION: "only up to {lowest} {unit} in compression, as the files count: push slowly beyond what these tests reached to see a stop there";
+    ONLY_WITHIN_EXTENSION: "only up to {highest} {unit} in extension, as the files count: pull slowly beyond what these tests reached to see a stop there";
+    NEEDS_FREQUENCIES: "the tests' frequencies are nearly the same: run one peak velocity at five frequencies from {low} to {high} Hz";
     NEEDS_ZERO: "a zero error of the load cell and the gas force are the same constant: read the load cell with the damper unhooked, before and after";
     NEEDS_ONE_CLOCK: "every record starts its clock anew: keep one clock through the campaign and repeat a reference test";
     // Notes in the file of the improved model, the source of its estimates, and a remark on a force drift.

@@ -1,5 +1,6 @@
 //! Effects that these records cannot show, and the tests that would show them.
 
+use super::advice::Advice;
 use super::effects::{CARDS, remedy};
 use super::outcome::CouldNotTest;
 use super::phrases;
@@ -15,7 +16,7 @@ const TRACE: f64 = 20.0;
 /// Lists all effects that could not be tested, because of missing channels, too small ranges, or a small response at a
 /// typical strength. Effects of the base model and the named effects `found` are not listed. `invisible` contains the
 /// squared response of each screened effect, in units of the squared allowed error of a sample.
-pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) -> Vec<CouldNotTest> {
+pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str], advice: &Advice) -> Vec<CouldNotTest> {
     let mut all: Vec<CouldNotTest> = Vec::new();
     for card in CARDS {
         let effect = card.name;
@@ -23,10 +24,10 @@ pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str]) ->
         if is_on || found.contains(&effect) {
             continue;
         }
-        if let Some(why) = (card.missing)(s) {
+        if let Some(why) = (card.missing)(s, advice) {
             all.push(CouldNotTest { effect, why });
         } else if invisible.iter().any(|(name, seen)| *name == effect && *seen < TRACE) {
-            let why = Sentence::from(phrases::NO_TRACE).with_sentence("remedy", remedy(effect));
+            let why = Sentence::from(phrases::NO_TRACE).with_sentence("remedy", remedy(effect, advice));
             all.push(CouldNotTest { effect, why });
         }
     }

@@ -87,7 +87,7 @@ mod tests {
             ..Identification::default()
         };
         let note = identification.right(&mut own).unwrap();
-        assert!(note.text.to_string().contains("2.000 kg"), "{}", note.text);
+        assert!(note.text.to_string().contains("2.00 kg"), "{}", note.text);
         let top = 2.0 * 0.01 * (std::f64::consts::TAU * 4.0f64).powi(2);
         for record in &own {
             let left = record.force[20..480].iter().fold(0.0f64, |most, f| most.max(f.abs()));

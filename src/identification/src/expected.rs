@@ -39,12 +39,14 @@ pub(crate) fn expectation(row: &DamperPrior) -> Sentence {
 }
 
 /// Formats the contradiction between the records and the prior of a number: the identified value, the expected value and their ratio.
+/// The identified value has the digits and the unit of the table of numbers.
 pub(crate) fn contradiction(row: &DamperPrior, estimate: &Estimate) -> Sentence {
-    let (factor, unit) = reading_unit(row.center(), row.number.parameter().unit);
+    let (factor, _) = reading_unit(estimate.value, estimate.unit);
+    let reading = estimate.reading();
     Sentence::from(phrases::CONTRADICTS)
         .with("name", row.number)
-        .with("value", in_words(factor * estimate.value))
-        .with("unit", unit)
+        .with("value", reading.value)
+        .with("unit", reading.unit)
         .with("ratio", format!("{:.2}", estimate.value / row.center()))
         .with("expected", in_words(factor * row.center()))
         .with("facts", row.facts())

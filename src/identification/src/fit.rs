@@ -6,7 +6,6 @@ use super::literature::piecewise_linear::COEFFICIENTS_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured};
 use super::phrases;
-use super::short::in_words;
 use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
@@ -34,7 +33,7 @@ use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_messages::{Sentence, Template};
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::{Record, reading_unit};
+use dashpot_records::{Record, RigFrame, round_figure};
 use std::sync::Arc;
 
 /// Kind of model to fit.
@@ -320,7 +319,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     };
     found.notes.extend(selection.map(|(_, note)| note));
     found.notes.extend(describe_roads(&tests));
-    found.notes.extend(coverage_notes(&segments));
+    found.notes.extend(coverage_notes(&segments, &frame(records)));
     if options.family == Family::Thesis && found.measured.is_empty() && found.misfit > OFF {
         found.notes.extend(zero_moves(&segments, &found.params));
     }
@@ -556,14 +555,9 @@ fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Fo
     Found { params, estimates, inventory: Vec::new(), measured, notes, misfit }
 }
 
-/// Formats a sentence about a number of the model.
+/// Formats a sentence about a number of the model, with the digits and the unit of the table of numbers.
 pub(crate) fn of_number(template: Template, estimate: &Estimate) -> Sentence {
-    // Round to significant digits instead of decimals. With four decimals, a value of 0.15 mm in m would become 0.2 mm, and a creep of nm/s
-    // would become 0.
-    // The unit is that of the tables in a report.
-    let (factor, unit) = reading_unit(estimate.value, estimate.unit);
-    let value = format!("{} {unit}", in_words(factor * estimate.value));
-    Sentence::from(template).with("name", estimate.name).with("value", value.trim_end())
+    Sentence::from(template).with("name", estimate.name).with("value", estimate.reading().with_unit())
 }
 
 /// Computes the root mean square of the weighted residual over the scored samples.
@@ -660,12 +654,18 @@ pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     Some(said.with("seconds", format!("{seconds:.1}")))
 }
 
+/// Returns the coordinates of the files of a campaign.
+pub(crate) fn frame(records: &[&Record]) -> RigFrame {
+    records.first().map(|record| record.frame).unwrap_or_default()
+}
+
 /// Returns notes about tests that the campaign lacks: slow tests, and tests whose amplitudes differ by a factor of at least two.
-pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
+pub(crate) fn coverage_notes(segments: &[Segment], frame: &RigFrame) -> Vec<Sentence> {
     let mut notes = Vec::new();
-    let velocity = format!("{:.0}", 1e3 * SLOW);
+    let unit = frame.speed_unit();
+    let velocity = round_figure(SLOW / unit.to_si(1.0));
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
-        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity));
+        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity).with("unit", unit.name()));
     }
     let is_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
         let (low, high) = amplitudes.fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(a), h.max(a)));
@@ -675,7 +675,7 @@ pub(crate) fn coverage_notes(segments: &[Segment]) -> Vec<Sentence> {
         notes.push(phrases::ONE_AMPLITUDE.into());
     } else if is_one(&mut segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude)) {
         // Slow tests show friction and gas force, but hardly the spring in series, so the fast tests also need different amplitudes.
-        notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity));
+        notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity).with("unit", unit.name()));
     }
     notes
 }
@@ -705,7 +705,7 @@ mod tests {
         };
         let said = |all: &[(f64, f64)]| -> Vec<String> {
             let all: Vec<Segment> = all.iter().map(|(amplitude, peak)| segment(*amplitude, *peak)).collect();
-            let notes = coverage_notes(&all).iter().map(ToString::to_string).collect::<Vec<_>>();
+            let notes = coverage_notes(&all, &RigFrame::default()).iter().map(ToString::to_string).collect::<Vec<_>>();
             notes.into_iter().filter(|note| note.contains("amplitude")).collect()
         };
         let (slow, fast) = (0.5 * SLOW, 10.0 * SLOW);
@@ -724,7 +724,7 @@ mod tests {
             of_number(phrases::HELD, &held).to_string()
         };
         assert!(said("presliding_length", 1.524_89e-4, "m").ends_with("held at 0.1525 mm"));
-        assert!(said("presliding_creep", 1e-9, "m/s").ends_with("held at 0.000001000 mm/s"));
+        assert!(said("presliding_creep", 1e-9, "m/s").ends_with("held at 1.000·10⁻⁶ mm/s"));
         assert!(said("gas_force", 58.040_02, "N").ends_with("held at 58.04 N"));
     }
 

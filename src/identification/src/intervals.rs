@@ -13,6 +13,7 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::structure::alternatives::{Part, mixed_interval};
 use dashpot_estimation::unknowns::{CurveName, Unknown, anchor};
 use dashpot_messages::Sentence;
+use dashpot_records::Reading;
 use nalgebra::DMatrix;
 use serde::Serialize;
 
@@ -52,6 +53,11 @@ pub struct Estimate {
 }
 
 impl Estimate {
+    /// Formats the value and its interval with the digits that all tables and sentences use.
+    pub fn reading(&self) -> Reading {
+        Reading::new(self.value, self.low.unwrap_or(f64::NAN), self.high.unwrap_or(f64::NAN), self.unit)
+    }
+
     /// Returns the value and the ends of the interval as a part of a mean over structures, or `None` without an interval.
     pub(crate) fn part(&self, weight: f64) -> Option<Part> {
         Some(Part { weight, value: self.value, ends: [self.low?, self.high?] })

@@ -3,6 +3,7 @@
 use super::phrases;
 use dashpot_estimation::structure::inventory::InventoryItem;
 use dashpot_messages::Sentence;
+use dashpot_records::newtons::newtons;
 
 /// Formats an item as one sentence: effect, form, force and probability.
 pub fn describe_item(item: &InventoryItem) -> Sentence {
@@ -13,7 +14,7 @@ pub fn describe_item(item: &InventoryItem) -> Sentence {
         Sentence::from(phrases::CARRIES_IN_FORM).with("effect", item.effect).with_word("form", item.form)
     };
     sentence
-        .with("force", format!("{:.1}", item.force_n_rms))
+        .with("force", newtons(item.force_n_rms, 1))
         .with("share", percent(item.fraction))
         .with("probability", percent(item.probability))
 }

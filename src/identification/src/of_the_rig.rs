@@ -13,6 +13,7 @@ use dashpot_estimation::measurement::Artefact;
 use dashpot_estimation::refit::Refit;
 use dashpot_estimation::samples::Test;
 use dashpot_messages::Sentence;
+use dashpot_records::Reading;
 use dashpot_records::measurement_correction::MeasurementError;
 use serde::Serialize;
 
@@ -114,24 +115,44 @@ impl Measured {
         self.option.map(|option| format!("{option}={:.6}", self.value))
     }
 
+    /// Returns value and ends of the interval in the unit of tables and sentences, for example % a minute instead of 1/s.
+    pub fn shown(&self) -> [f64; 3] {
+        let (factor, _) = self.shown_unit();
+        [self.value, self.low, self.high].map(|number| factor * number)
+    }
+
+    /// Returns the factor from `unit` to the unit of tables and sentences, and that unit.
+    fn shown_unit(&self) -> (f64, &'static str) {
+        match self.name {
+            "delay" => (1e3, "ms"),
+            "rig_mass" => (1.0, "kg"),
+            "gain_drift" => (100.0 * 60.0, "%/min"),
+            _ => (60.0, "N/min"),
+        }
+    }
+
+    /// Formats the error and its interval with the digits and the unit that all tables and sentences use.
+    pub fn reading(&self) -> Reading {
+        Reading::in_unit(self.shown(), self.shown_unit().1)
+    }
+
     /// Formats the error and its interval as a sentence.
     pub fn finding(&self) -> Sentence {
-        let (factor, what) = match self.name {
-            "delay" if self.value < 0.0 => {
-                // Report a negative delay as a leading channel, because an engineer would consider a negative delay a mistake.
-                let of = |value: f64| format!("{:.3}", -1e3 * value);
-                return Sentence::from(phrases::FOUND_EARLY)
-                    .with("value", of(self.value))
-                    .with("low", of(self.high))
-                    .with("high", of(self.low));
-            }
-            "delay" => (1e3, phrases::FOUND_DELAY),
-            "rig_mass" => (1.0, phrases::FOUND_MASS),
-            "gain_drift" => (100.0 * 60.0, phrases::FOUND_GAIN_DRIFT),
-            _ => (60.0, phrases::FOUND_DRIFT),
+        // Report a negative delay as a leading channel, because an engineer would consider a negative delay a mistake.
+        let is_early = self.name == "delay" && self.value < 0.0;
+        let Reading { value, low, high, .. } = if is_early {
+            Measured { value: -self.value, low: -self.high, high: -self.low, ..*self }.reading()
+        } else {
+            self.reading()
         };
-        let of = |value: f64| format!("{:.3}", factor * value);
-        Sentence::from(what).with("value", of(self.value)).with("low", of(self.low)).with("high", of(self.high))
+        let what = match self.name {
+            "delay" if is_early => phrases::FOUND_EARLY,
+            "delay" => phrases::FOUND_DELAY,
+            "rig_mass" => phrases::FOUND_MASS,
+            "gain_drift" => phrases::FOUND_GAIN_DRIFT,
+            _ => phrases::FOUND_DRIFT,
+        };
+        Sentence::from(what).with("value", value).with("low", low).with("high", high)
     }
 
     /// Formats the error as a sentence that also states that the records are corrected for it, and not the model.
@@ -176,10 +197,10 @@ mod tests {
     #[test]
     fn a_force_channel_that_leads_is_told_as_early() {
         let said = |numbers| Measured::new(Artefact::Delay, numbers).finding().to_string();
-        assert_eq!(said([3e-3, 2.9e-3, 3.1e-3]), "the force channel comes late by 3.000 ms (95 %: 2.900 to 3.100)");
+        assert_eq!(said([3e-3, 2.9e-3, 3.1e-3]), "the force channel comes late by 3.00 ms (95 %: 2.90 to 3.10)");
         assert_eq!(
             said([-0.635e-3, -0.7e-3, -0.5e-3]),
-            "the force channel comes early by 0.635 ms (95 %: 0.500 to 0.700)"
+            "the force channel comes early by 0.64 ms (95 %: 0.50 to 0.70)"
         );
     }
 }

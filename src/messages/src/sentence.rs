@@ -115,6 +115,8 @@ pub fn is_number(place: &str, text: &str) -> bool {
     let (figures, unit) = unsigned.split_once(char::is_whitespace).unwrap_or((unsigned, ""));
     let is_unit = unit.chars().all(|c| !c.is_ascii_digit()) && unit.chars().count() <= LONGEST_UNIT;
     let figures = figures.trim_end_matches('%');
+    // A power of ten follows the mantissa of a very large or small number.
+    let figures = figures.split_once("\u{b7}10").map_or(figures, |(mantissa, _)| mantissa);
     is_unit
         && !NAMES.contains(&place)
         && figures.starts_with(|c: char| c.is_ascii_digit())

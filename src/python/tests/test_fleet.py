@@ -36,6 +36,7 @@ from dashpot.fleet.cluster import wait_for_workers  # noqa: E402
 from dashpot.fleet.examine import Plan, examine, examine_all  # noqa: E402
 from dashpot.fleet.files import RECORDS  # noqa: E402
 from dashpot.fleet.schedule import _kept, _rows  # noqa: E402
+from dashpot.fleet.report import Quantity, figure_of  # noqa: E402
 from dashpot.fleet.store import Store  # noqa: E402
 from dashpot.fleet.statistics import batches, control, drift, far_off  # noqa: E402
 
@@ -805,6 +806,76 @@ class TestReport:
         outliers = text[text.index("<h2>Outliers") : text.index("<h2>Every")]
         assert "D14" in outliers and "D13" not in outliers
         write_report(table, table.with_name("r.html"))
+
+    @pytest.mark.parametrize("count", [*range(3, 61)])
+    def test_labels_of_ticks_neither_overlap_nor_repeat(self, count: int) -> None:
+        from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+        noise = np.random.default_rng(count)
+        dates = np.asarray(20000.0 + noise.integers(0, 400, count), dtype=np.float64)
+        names = [f"supplier north, week {k % 17:02d} of 2026" if count % 2 else f"B{k // 2:03d}" for k in range(count)]
+        scale = [3e-6, 1.0, 2.067e6, -1500.0][count % 4]
+        spread = [1e-7, 1e-2, 3.0][count % 3]
+        values = scale * (1 + spread * noise.normal(size=count))
+        if count % 5 == 0:
+            values[1] = 1e4 * scale
+        quantity = Quantity("series_stiffness", "N/mm", values)
+        order = np.arange(count)
+        figure = figure_of(quantity, dates, order, control(values), batches(names, values))
+        canvas: Any = FigureCanvasAgg(figure)
+        canvas.draw()
+        renderer = canvas.get_renderer()
+        area = figure.bbox
+        for axes in figure.axes:
+            title = axes.xaxis.label.get_window_extent(renderer)
+            assert title.y0 >= area.y0 and title.x0 >= area.x0 and title.x1 <= area.x1, axes.get_xlabel()
+            for way in (axes.xaxis, axes.yaxis):
+                low, high = sorted(axes.get_xlim() if way is axes.xaxis else axes.get_ylim())
+                shown = [t.label1 for t in way.get_major_ticks() if low <= t.get_loc() <= high and t.label1.get_text()]
+                texts = [label.get_text() for label in shown]
+                assert texts and len(set(texts)) == len(texts), texts
+                assert not way.get_offset_text().get_text()
+                boxes = [label.get_window_extent(renderer) for label in shown]
+                for label, box in zip(shown, boxes, strict=True):
+                    # Labels of slanted names end at the bottom of the picture, all others at its sides.
+                    assert box.x0 >= area.x0 and box.x1 <= area.x1 and box.y0 >= area.y0, (label.get_text(), box)
+                for (one, a), (other, b) in zip(list(zip(shown, boxes, strict=True)), list(zip(shown, boxes, strict=True))[1:], strict=False):
+                    if one.get_rotation():
+                        # Parallel lines of text do not overlap if their distance exceeds the height of a line.
+                        size = one.get_fontsize() * figure.dpi / 72
+                        assert (other.get_position()[0] - one.get_position()[0]) * axes.bbox.width / (high - low) >= np.sqrt(2) * size
+                    else:
+                        assert not a.overlaps(b), (texts, scale, spread)
+
+    def test_a_fleet_is_a_table_of_dampers_with_their_verdicts_and_no_absurd_distance(self, tmp_path: Path) -> None:
+        pytest.importorskip("matplotlib")
+        store = Store(tmp_path / "t.parquet")
+        number = {"name": "gas_force", "index": None, "unit": "N", "standing": "identified", "low": None, "high": None}
+        judged = ["passed"] * 5 + ["failed"] * 2 + ["incomplete"] * 3
+        missed = {"failed": ["R3: 812 N, allowed 900 to 1000 N"], "incomplete": ["R3: not tested"]}
+        # The fit took all values but one from a prior, so that they agree to twelve digits.
+        values = [140.0 * (1 + 1e-12 * k) for k in range(10)]
+        values[4] = 90.0
+        store.add(
+            [
+                {
+                    "key": f"k{k}", "campaign": f"c{k}", "serial": f"D{k}", "batch": "", "date": "", "status": "ok", "judgement": judged[k],
+                    "missed": missed.get(judged[k], []), "parameters": [{**number, "value": value, "low": value, "high": value}],
+                }
+                for k, value in enumerate(values)
+            ]
+        )  # fmt: skip
+        store.table([f"k{k}" for k in range(10)])
+        store.close()
+        write_report(tmp_path / "t.parquet", tmp_path / "r.html")
+        text = (tmp_path / "r.html").read_text(encoding="utf-8")
+        assert "Limits: 5 PASS, 2 FAIL, 3 INCOMPLETE" in text
+        rows = text[text.index("<h2>Dampers</h2>") :].split("</table>")[0].split("<tr>")[2:]
+        verdicts = [re.findall("<td>(.*?)</td>", row)[4] for row in rows]
+        assert [verdict.split(":")[0] for verdict in verdicts] == ["PASS"] * 5 + ["FAIL"] * 2 + ["INCOMPLETE"] * 3
+        distances = [float(d) for d in re.findall(r"\(([+-][0-9.e+-]+)\)", text)]
+        assert all(abs(d) <= 99 for d in distances) and "e+1" not in "".join(rows)
+        assert "gas_force (beyond -99)" in rows[4] and "gas_force" not in rows[5]
 
     def test_a_page_of_somebody_else_is_kept(self, table: Path) -> None:
         notes = table.with_name("notes.html")

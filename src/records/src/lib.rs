@@ -55,6 +55,7 @@ pub use peaks::columns::{PeakColumn, PeakOptions, PeakPair, Stroke, Taken};
 pub use peaks::table::{PeakPoint, Peaks, StrokeSource, peak_clicks, read_peaks};
 pub use quantities::channel::{Channel, assignment};
 pub use quantities::load_cell;
+pub use quantities::reading::{Reading, digits, round_figure};
 pub use quantities::reading_unit::reading_unit;
 pub use quantities::setting_value::{
     Setting, SettingRules, is_same_setting, restate_in_unit, setting_factor, setting_in_words,

@@ -1107,8 +1107,8 @@ records-force-drifts = die mittlere Kraft wandert über { $cycles } Zyklen um { 
 ## What reading says of records. Figures that no damper has.
 
 records-no-force = die Kraft zeigt in { $tests } nur Rauschen; die Kraftmessdose prüfen oder diese Versuche weglassen
-records-small-amplitude = die größte Amplitude ist { $amplitude } mm: stimmt die Einheit des Wegs?
-records-slow = der schnellste Versuch erreicht { $velocity } mm/s: stimmen die Einheiten von Zeit und Bewegung? Langsame Versuche allein sagen einem Modell nichts über den Fahrbetrieb
+records-small-amplitude = die größte Amplitude ist { $amplitude } { $unit }: stimmt die Einheit des Wegs?
+records-slow = der schnellste Versuch erreicht { $velocity } { $unit }: stimmen die Einheiten von Zeit und Bewegung? Langsame Versuche allein sagen einem Modell nichts über den Fahrbetrieb
 records-small-force = die Kraft ändert sich nie um mehr als { $force } N: stimmt ihre Einheit?
 records-torn = { $test }: enthält weniger als einen Zyklus und endet mitten im Hub, bei { $velocity } mm/s von höchstens { $peak } mm/s; ist die Datei abgebrochen, sie neu exportieren oder mit --exclude weglassen
 records-twins = { $test } enthält dieselben Messwerte wie { $twin } und zählt doppelt
@@ -1393,12 +1393,12 @@ identification-contradicts = { $name } widerspricht den Maßen des Dämpfers: { 
 
 ## What a fit says. What the campaign cannot show.
 
-identification-one-rate = alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei dreifacher Frequenz würde sie unterscheiden
+identification-one-rate = alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei einem Drittel der Frequenz würde sie unterscheiden
 identification-roads = { $roads } lange Versuche ohne Zyklen werden in { $stretches } Abschnitten von je { $seconds } s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt
 identification-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
-identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
+identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } { $unit }): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
 identification-one-amplitude = alle Versuche haben fast dieselbe Amplitude: Feder und Reihensteifigkeit beruhen allein auf der Frequenz
-identification-one-fast-amplitude = alle Versuche über { $velocity } mm/s haben fast dieselbe Amplitude: Die Reihensteifigkeit beruht allein auf der Frequenz
+identification-one-fast-amplitude = alle Versuche über { $velocity } { $unit } haben fast dieselbe Amplitude: Die Reihensteifigkeit beruht allein auf der Frequenz
 identification-zero-moves = das Modell lässt von jedem Versuch eine andere gleichbleibende Kraft übrig, von { $low } bis { $high } N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich
 
 ## What a fit says. What the measurement is off by.
@@ -1586,26 +1586,32 @@ diagnosis-sum-alone = das Rohr weitet sich mit dem Druck, wie die Ölsäule nach
 ## What a diagnosis says. The test that shows an effect best.
 
 diagnosis-show-more = mehr Amplituden und Frequenzen
-diagnosis-show-slow = langsame Dreiecke mit 0,5 bis 30 mm/s, zwei Hübe, zwei Temperaturen
+diagnosis-show-slow = langsame Dreiecke mit { $slow } bis { $fast } { $speed_unit }, zwei Hübe, zwei Temperaturen
 diagnosis-show-spring = den ganzen Hub langsam durchfahren und einmal mit 1 Hz, in zwei Mittellagen
 diagnosis-show-gas-warming = die Kraft in Ruhe in Hubmitte, kalt und nach starker Belastung, mit aufgezeichneter Temperatur
-diagnosis-show-mount = Sinus von 0,05 bis 0,5 mm bei 1 bis 30 Hz
+diagnosis-show-mount = Sinus von { $small } bis { $large } { $unit } bei { $low } bis { $high } Hz
 diagnosis-show-zero = die Kraft in Ruhe ablesen, mit und ohne eingehängten Dämpfer
-diagnosis-show-presliding = Hübe von 0,1 bis 2 mm mit 0,1 und 1 Hz: gleiche Schleifen sprechen dafür
-diagnosis-show-side-force = derselbe Sinus bei 0, 500 und 1000 N Seitenkraft
+diagnosis-show-presliding = Hübe von { $small } bis { $large } { $unit } mit { $low } und { $high } Hz: gleiche Schleifen sprechen dafür
+diagnosis-show-side-force = derselbe Sinus bei 0, { $half } und { $full } N Seitenkraft
 diagnosis-show-oil = eine Spitzengeschwindigkeit bei mehreren Hüben und Frequenzen, in zwei Mittellagen
 diagnosis-show-aeration = ein Versuch nach einer Nacht Ruhe und nach 200 Zyklen
 diagnosis-show-cavitation = eine Spitzengeschwindigkeit bei mehreren Hüben, mit erhöhtem Gasdruck
 diagnosis-show-fade = ein Referenzversuch kalt und heiß wiederholt, in gemischter Reihenfolge, mit aufgezeichneter Temperatur
-diagnosis-show-position = Sinus von 5 bis 10 mm in fünf oder mehr Mittellagen
-diagnosis-show-bump-stop = langsam in den Anschlag drücken, dann mit zwei Geschwindigkeiten
-diagnosis-show-rebound-stop = langsam in den Anschlag ziehen, dann mit zwei Geschwindigkeiten
+diagnosis-show-position = Sinus von { $small } bis { $large } { $unit } in fünf oder mehr Mittellagen
+diagnosis-show-bump-stop = langsam in den Anschlag drücken, in Richtung { $lowest } { $unit }, wie die Dateien zählen, dann mit zwei Geschwindigkeiten
+diagnosis-show-rebound-stop = langsam in den Anschlag ziehen, in Richtung { $highest } { $unit }, wie die Dateien zählen, dann mit zwei Geschwindigkeiten
 diagnosis-show-free-play = kleine Hübe mit einer Vorlast, die die Kraft nicht durch null gehen lässt, und ohne
-diagnosis-show-frequency = eine Spitzengeschwindigkeit bei 0,5; 1; 2; 5 und 10 Hz
+diagnosis-show-frequency = eine Spitzengeschwindigkeit bei fünf Frequenzen von { $low } bis { $high } Hz
 diagnosis-show-valve = langsame Geschwindigkeitsrampen durch den Knick, auf und ab
 diagnosis-show-mass = den Prüfstand ohne den Dämpfer fahren
 diagnosis-show-delay = eine Feder an Stelle des Dämpfers fahren: ihre Schleife muss sich schließen
 diagnosis-show-drift = einen Referenzversuch am Anfang, in der Mitte und am Ende wiederholen
+diagnosis-semicolon = ;{ " " }
+diagnosis-beyond = { $test } (über das hinaus, was diese Versuche erreichten: { $demands })
+diagnosis-beyond-amplitude = ±{ $value } { $unit }, erreicht wurden ±{ $reached } { $unit }
+diagnosis-beyond-speed = { $value } { $unit }, erreicht wurden { $reached } { $unit }
+diagnosis-beyond-frequency = { $value } { $unit }, erreicht wurden { $reached } { $unit }
+diagnosis-beyond-side-force = eine Seitenkraft von { $value } { $unit }, erreicht wurden { $reached } { $unit }
 
 ## What a diagnosis says. Why records cannot show an effect.
 
@@ -1615,9 +1621,9 @@ diagnosis-needs-side-force = die Seitenkraft ändert sich nicht: denselben Sinus
 diagnosis-needs-temperature = kein Temperaturkanal ändert sich, und die Uhren der Messungen zeigen keine Erwärmung: Öl- oder Rohrtemperatur aufzeichnen oder einen Versuch kalt und nach starker Belastung wiederholen
 diagnosis-needs-measured-temperature = kein Temperaturkanal ändert sich: in allen Versuchen die Temperatur des Öls oder des Rohrs aufzeichnen
 diagnosis-needs-places = alle Versuche durchfahren dieselben Stellen mit denselben Geschwindigkeiten: einen kleinen Sinus in fünf oder mehr Mittellagen fahren oder eine Spitzengeschwindigkeit bei mehreren Hüben
-diagnosis-only-within-compression = nur innerhalb der { $reach } mm Einfederung, die die Versuche erreichen: langsam weiter drücken, um einen Anschlag dahinter zu sehen
-diagnosis-only-within-extension = nur innerhalb der { $reach } mm Ausfederung, die die Versuche erreichen: langsam weiter ziehen, um einen Anschlag dahinter zu sehen
-diagnosis-needs-frequencies = die Frequenzen der Versuche sind fast gleich: eine Spitzengeschwindigkeit bei 0,5; 1; 2; 5 und 10 Hz fahren
+diagnosis-only-within-compression = nur bis { $lowest } { $unit } in Einfederung, wie die Dateien zählen: langsam über das hinaus drücken, was diese Versuche erreichten, um dort einen Anschlag zu sehen
+diagnosis-only-within-extension = nur bis { $highest } { $unit } in Ausfederung, wie die Dateien zählen: langsam über das hinaus ziehen, was diese Versuche erreichten, um dort einen Anschlag zu sehen
+diagnosis-needs-frequencies = die Frequenzen der Versuche sind fast gleich: eine Spitzengeschwindigkeit bei fünf Frequenzen von { $low } bis { $high } Hz fahren
 diagnosis-needs-zero = ein Nullpunktfehler der Kraftmessdose und die Gaskraft sind dieselbe Konstante: die Kraftmessdose bei ausgehängtem Dämpfer ablesen, vorher und nachher
 diagnosis-needs-one-clock = jede Messung beginnt ihre Uhr von vorn: eine Uhr durch die ganze Messreihe führen und einen Referenzversuch wiederholen
 

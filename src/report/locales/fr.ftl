@@ -1107,8 +1107,8 @@ records-force-drifts = l’effort moyen dérive de { $drift } N sur { $cycles } 
 ## What reading says of records. Figures that no damper has.
 
 records-no-force = l’effort ne montre que du bruit dans { $tests } ; vérifier le capteur d’effort ou écarter ces essais
-records-small-amplitude = la plus grande amplitude est de { $amplitude } mm : l’unité du déplacement est-elle juste ?
-records-slow = l’essai le plus rapide atteint { $velocity } mm/s : les unités de temps et de mouvement sont-elles justes ? À partir d’essais lents seuls, un modèle n’apprend rien de la conduite
+records-small-amplitude = la plus grande amplitude est de { $amplitude } { $unit } : l’unité du déplacement est-elle juste ?
+records-slow = l’essai le plus rapide atteint { $velocity } { $unit } : les unités de temps et de mouvement sont-elles justes ? À partir d’essais lents seuls, un modèle n’apprend rien de la conduite
 records-small-force = l’effort ne varie jamais de plus de { $force } N : son unité est-elle juste ?
 records-torn = { $test } : contient moins d’un cycle et finit au milieu d’une course, à { $velocity } mm/s sur { $peak } mm/s au plus ; si le fichier est tronqué, l’exporter à nouveau, ou le laisser de côté par --exclude
 records-twins = { $test } contient les mêmes échantillons que { $twin } et compte double
@@ -1393,12 +1393,12 @@ identification-contradicts = { $name } contredit les dimensions de l’amortisse
 
 ## What a fit says. What the campaign cannot show.
 
-identification-one-rate = tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course à trois fois la fréquence les distinguerait
+identification-one-rate = tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
 identification-roads = { $roads } longs essais sans cycles sont calculés en { $stretches } tronçons de { $seconds } s, choisis pour parcourir tous leurs déplacements et toutes leurs vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
 identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
-identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
+identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } { $unit }) : le frottement est tiré des parties lentes d’essais plus rapides
 identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
-identification-one-fast-amplitude = tous les essais à plus de { $velocity } mm/s ont presque la même amplitude : la raideur série ne repose que sur la fréquence
+identification-one-fast-amplitude = tous les essais à plus de { $velocity } { $unit } ont presque la même amplitude : la raideur série ne repose que sur la fréquence
 identification-zero-moves = le modèle laisse de chaque essai un autre effort constant, de { $low } à { $high } N : le zéro de la voie d’effort bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et effort du gaz ne sont pas fiables
 
 ## What a fit says. What the measurement is off by.
@@ -1586,26 +1586,32 @@ diagnosis-sum-alone = le tube s’élargit avec la pression comme cède la colon
 ## What a diagnosis says. The test that shows an effect best.
 
 diagnosis-show-more = plus d’amplitudes et de fréquences
-diagnosis-show-slow = triangles lents de 0,5 à 30 mm/s, deux courses, deux températures
+diagnosis-show-slow = triangles lents de { $slow } à { $fast } { $speed_unit }, deux courses, deux températures
 diagnosis-show-spring = parcourir lentement toute la course, et une fois à 1 Hz, à deux positions moyennes
 diagnosis-show-gas-warming = l’effort au repos au milieu de la course, à froid et après une forte sollicitation, en enregistrant la température
-diagnosis-show-mount = sinus de 0,05 à 0,5 mm de 1 à 30 Hz
+diagnosis-show-mount = sinus de { $small } à { $large } { $unit } de { $low } à { $high } Hz
 diagnosis-show-zero = lire l’effort au repos, avec et sans l’amortisseur accroché
-diagnosis-show-presliding = courses de 0,1 à 2 mm à 0,1 et 1 Hz : des boucles égales l’indiquent
-diagnosis-show-side-force = le même sinus sous 0, 500 et 1000 N d’effort latéral
+diagnosis-show-presliding = courses de { $small } à { $large } { $unit } à { $low } et { $high } Hz : des boucles égales l’indiquent
+diagnosis-show-side-force = le même sinus sous 0, { $half } et { $full } N d’effort latéral
 diagnosis-show-oil = une même vitesse de pointe à plusieurs courses et fréquences, à deux positions moyennes
 diagnosis-show-aeration = un essai après une nuit de repos et après 200 cycles
 diagnosis-show-cavitation = une même vitesse de pointe à plusieurs courses, avec la pression de gaz augmentée
 diagnosis-show-fade = un essai de référence répété à froid et à chaud, en ordre mélangé, avec la température enregistrée
-diagnosis-show-position = sinus de 5 à 10 mm à cinq positions moyennes ou plus
-diagnosis-show-bump-stop = pousser lentement dans la butée, puis à deux vitesses
-diagnosis-show-rebound-stop = tirer lentement dans la butée, puis à deux vitesses
+diagnosis-show-position = sinus de { $small } à { $large } { $unit } à cinq positions moyennes ou plus
+diagnosis-show-bump-stop = pousser lentement dans la butée, vers { $lowest } { $unit } au compte des fichiers, puis à deux vitesses
+diagnosis-show-rebound-stop = tirer lentement dans la butée, vers { $highest } { $unit } au compte des fichiers, puis à deux vitesses
 diagnosis-show-free-play = de petites courses avec une précharge qui empêche l’effort de passer par zéro, et sans
-diagnosis-show-frequency = une même vitesse de pointe à 0,5 ; 1 ; 2 ; 5 et 10 Hz
+diagnosis-show-frequency = une même vitesse de pointe à cinq fréquences de { $low } à { $high } Hz
 diagnosis-show-valve = des rampes de vitesse lentes à travers le coude, en montant et en descendant
 diagnosis-show-mass = faire tourner le banc sans l’amortisseur
 diagnosis-show-delay = monter un ressort à la place de l’amortisseur : sa boucle doit se fermer
 diagnosis-show-drift = répéter un essai de référence au début, au milieu et à la fin
+diagnosis-semicolon = { " " };{ " " }
+diagnosis-beyond = { $test } (au-delà de ce que ces essais ont atteint : { $demands })
+diagnosis-beyond-amplitude = ±{ $value } { $unit } au lieu de ±{ $reached } { $unit }
+diagnosis-beyond-speed = { $value } { $unit } au lieu de { $reached } { $unit }
+diagnosis-beyond-frequency = { $value } { $unit } au lieu de { $reached } { $unit }
+diagnosis-beyond-side-force = un effort latéral de { $value } { $unit } au lieu de { $reached } { $unit }
 
 ## What a diagnosis says. Why records cannot show an effect.
 
@@ -1615,9 +1621,9 @@ diagnosis-needs-side-force = l’effort latéral ne varie pas : réaliser le mê
 diagnosis-needs-temperature = aucune voie de température ne varie, et les horloges des mesures ne montrent pas d’échauffement : enregistrer la température de l’huile ou du tube, ou répéter un essai à froid et après une forte sollicitation
 diagnosis-needs-measured-temperature = aucune voie de température ne varie : enregistrer la température de l’huile ou du tube dans tous les essais
 diagnosis-needs-places = tous les essais passent aux mêmes endroits aux mêmes vitesses : réaliser un petit sinus à cinq positions moyennes ou plus, ou une même vitesse de pointe à plusieurs courses
-diagnosis-only-within-compression = seulement dans les { $reach } mm de compression que les essais atteignent : pousser lentement plus loin pour voir une butée au-delà
-diagnosis-only-within-extension = seulement dans les { $reach } mm de détente que les essais atteignent : tirer lentement plus loin pour voir une butée au-delà
-diagnosis-needs-frequencies = les fréquences des essais sont presque les mêmes : réaliser une même vitesse de pointe à 0,5 ; 1 ; 2 ; 5 et 10 Hz
+diagnosis-only-within-compression = seulement jusqu’à { $lowest } { $unit } en compression, au compte des fichiers : pousser lentement au-delà de ce que ces essais ont atteint pour y voir une butée
+diagnosis-only-within-extension = seulement jusqu’à { $highest } { $unit } en détente, au compte des fichiers : tirer lentement au-delà de ce que ces essais ont atteint pour y voir une butée
+diagnosis-needs-frequencies = les fréquences des essais sont presque les mêmes : réaliser une même vitesse de pointe à cinq fréquences de { $low } à { $high } Hz
 diagnosis-needs-zero = une erreur de zéro du capteur d’effort et l’effort du gaz sont la même constante : lire le capteur avec l’amortisseur décroché, avant et après
 diagnosis-needs-one-clock = chaque mesure remet son horloge à zéro : garder une seule horloge pendant la campagne et répéter un essai de référence
 

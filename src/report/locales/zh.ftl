@@ -1095,8 +1095,8 @@ records-force-drifts = 平均力在 { $cycles } 个循环内漂移 { $drift } N�
 ## What reading says of records. Figures that no damper has.
 
 records-no-force = 在 { $tests } 中力只有噪声；请检查力传感器，或舍去这些试验
-records-small-amplitude = 最大振幅为 { $amplitude } mm：位移单位是否正确？
-records-slow = 最快的试验只达到 { $velocity } mm/s：时间和运动的单位是否正确？仅凭慢速试验，模型对行驶工况一无所知
+records-small-amplitude = 最大振幅为 { $amplitude } { $unit }：位移单位是否正确？
+records-slow = 最快的试验只达到 { $velocity } { $unit }：时间和运动的单位是否正确？仅凭慢速试验，模型对行驶工况一无所知
 records-small-force = 力的变化从未超过 { $force } N：其单位是否正确？
 records-torn = { $test }：不足一个循环，且在行程中途结束，结束时速度为 { $velocity } mm/s，最大为 { $peak } mm/s；若文件中断，请重新导出，或用 --exclude 排除
 records-twins = { $test } 与 { $twin } 的采样相同，被计算两次
@@ -1381,12 +1381,12 @@ identification-contradicts = { $name } 与减振器的尺寸矛盾：{ $value } 
 
 ## What a fit says. What the campaign cannot show.
 
-identification-one-rate = 所有试验的换向快慢几乎相同，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三倍频率做同一行程的试验可将二者区分
+identification-one-rate = 所有试验的换向快慢几乎相同，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三分之一频率做同一行程的试验可将二者区分
 identification-roads = { $roads } 个没有循环的长试验各以 { $stretches } 段、每段 { $seconds } s 计算，所选各段经过其全部位移和速度；全记录误差计入每个采样点
 identification-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
-identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } mm/s）：摩擦取自较快试验的慢速部分
+identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } { $unit }）：摩擦取自较快试验的慢速部分
 identification-one-amplitude = 所有试验的振幅几乎相同：弹簧和串联刚度仅由频率确定
-identification-one-fast-amplitude = 所有快于 { $velocity } mm/s 的试验振幅几乎相同：串联刚度仅由频率确定
+identification-one-fast-amplitude = 所有快于 { $velocity } { $unit } 的试验振幅几乎相同：串联刚度仅由频率确定
 identification-zero-moves = 模型在各试验中剩下各不相同的恒定力，从 { $low } 到 { $high } N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信
 
 ## What a fit says. What the measurement is off by.
@@ -1574,26 +1574,32 @@ diagnosis-sum-alone = 缸筒随压力膨胀，与油柱的压缩成比例：台�
 ## What a diagnosis says. The test that shows an effect best.
 
 diagnosis-show-more = 更多的振幅和频率
-diagnosis-show-slow = 0.5 至 30 mm/s 的慢速三角波，两种行程，两种温度
+diagnosis-show-slow = { $slow } 至 { $fast } { $speed_unit } 的慢速三角波，两种行程，两种温度
 diagnosis-show-spring = 慢速走完全行程，并以 1 Hz 走一次，取两个平均位置
 diagnosis-show-gas-warming = 在行程中点静止时的力：冷态与剧烈工作后各测一次，并记录温度
-diagnosis-show-mount = 1 至 30 Hz、0.05 至 0.5 mm 的正弦
+diagnosis-show-mount = { $low } 至 { $high } Hz、{ $small } 至 { $large } { $unit } 的正弦
 diagnosis-show-zero = 读取静止时的力，分别在装上和拆下减振器时
-diagnosis-show-presliding = 0.1 和 1 Hz 下 0.1 至 2 mm 的行程：回线相同即为佐证
-diagnosis-show-side-force = 同一正弦，侧向力 0、500 和 1000 N
+diagnosis-show-presliding = { $low } 和 { $high } Hz 下 { $small } 至 { $large } { $unit } 的行程：回线相同即为佐证
+diagnosis-show-side-force = 同一正弦，侧向力 0、{ $half } 和 { $full } N
 diagnosis-show-oil = 同一峰值速度，多种行程和频率，两个平均位置
 diagnosis-show-aeration = 静置一夜后和运行 200 个周期后各做一次同样的试验
 diagnosis-show-cavitation = 同一峰值速度，多种行程，提高气体压力
 diagnosis-show-fade = 冷态和热态重复同一参考试验，顺序打乱，并记录温度
-diagnosis-show-position = 在五个或更多平均位置做 5 至 10 mm 的正弦
-diagnosis-show-bump-stop = 慢速压入限位，再以两种速度压入
-diagnosis-show-rebound-stop = 慢速拉入限位，再以两种速度拉入
+diagnosis-show-position = 在五个或更多平均位置做 { $small } 至 { $large } { $unit } 的正弦
+diagnosis-show-bump-stop = 朝 { $lowest } { $unit }（按文件的计法）慢速压入限位，再以两种速度压入
+diagnosis-show-rebound-stop = 朝 { $highest } { $unit }（按文件的计法）慢速拉入限位，再以两种速度拉入
 diagnosis-show-free-play = 小行程试验，分别有和没有使力不过零的预载
-diagnosis-show-frequency = 同一峰值速度，0.5、1、2、5 和 10 Hz
+diagnosis-show-frequency = 同一峰值速度，从 { $low } 至 { $high } Hz 的五个频率
 diagnosis-show-valve = 缓慢升降速度，通过特性曲线拐点
 diagnosis-show-mass = 不装减振器运行试验台
 diagnosis-show-delay = 用弹簧代替减振器运行：其回线必须闭合
 diagnosis-show-drift = 在开始、中间和结束时重复参考试验
+diagnosis-semicolon = ；
+diagnosis-beyond = { $test }（超出这些试验达到的范围：{ $demands }）
+diagnosis-beyond-amplitude = ±{ $value } { $unit }，已达到 ±{ $reached } { $unit }
+diagnosis-beyond-speed = { $value } { $unit }，已达到 { $reached } { $unit }
+diagnosis-beyond-frequency = { $value } { $unit }，已达到 { $reached } { $unit }
+diagnosis-beyond-side-force = 侧向力 { $value } { $unit }，已达到 { $reached } { $unit }
 
 ## What a diagnosis says. Why records cannot show an effect.
 
@@ -1603,9 +1609,9 @@ diagnosis-needs-side-force = 侧向力没有变化：在两种或更多侧向力
 diagnosis-needs-temperature = 没有变化的温度通道，记录的时钟也显示没有升温：请记录油温或筒温，或在冷态和剧烈工作后重复同一试验
 diagnosis-needs-measured-temperature = 没有变化的温度通道：请在所有试验中记录油温或筒温
 diagnosis-needs-places = 所有试验都以相同速度经过相同位置：在五个或更多平均位置做小幅正弦，或以多种行程做同一峰值速度
-diagnosis-only-within-compression = 仅限试验所达到的 { $reach } mm 压缩行程之内：慢速继续压缩才能看到更远的限位
-diagnosis-only-within-extension = 仅限试验所达到的 { $reach } mm 拉伸行程之内：慢速继续拉伸才能看到更远的限位
-diagnosis-needs-frequencies = 各试验频率几乎相同：以 0.5、1、2、5 和 10 Hz 做同一峰值速度
+diagnosis-only-within-compression = 压缩方向仅到 { $lowest } { $unit }（按文件的计法）：慢速压缩并超出这些试验达到的范围，才能看到那里的限位
+diagnosis-only-within-extension = 拉伸方向仅到 { $highest } { $unit }（按文件的计法）：慢速拉伸并超出这些试验达到的范围，才能看到那里的限位
+diagnosis-needs-frequencies = 各试验频率几乎相同：在从 { $low } 至 { $high } Hz 的五个频率下做同一峰值速度
 diagnosis-needs-zero = 力传感器零点误差与气体力是同一常数：请在试验前后拆下减振器读取力传感器
 diagnosis-needs-one-clock = 每条记录都重新计时：整个试验过程使用同一时钟，并重复参考试验
 

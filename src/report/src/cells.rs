@@ -2,7 +2,7 @@
 
 use super::numbers::{self, digits};
 use crate::words::Words;
-use dashpot_records::reading_unit;
+use dashpot_records::{Reading, reading_unit};
 
 /// A cell of a table.
 #[derive(Debug, Clone, PartialEq)]
@@ -61,11 +61,17 @@ impl Cell {
 
     /// Creates two cells from a value and the ends of its interval in the SI unit `unit`. Both cells show one unit.
     pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> [Self; 2] {
-        let (factor, usual) = reading_unit(value, unit);
-        let (text, ends) = numbers::with_interval(value, low, high, unit, words);
+        let (factor, _) = reading_unit(value, unit);
+        let numbers = [value, low, high].map(|number| factor * number);
+        Self::of_reading(numbers, &Reading::new(value, low, high, unit), words)
+    }
+
+    /// Creates two cells from a reading: its value, and the ends of its interval. `numbers` are the full numbers in the unit of the reading.
+    pub fn of_reading([value, low, high]: [f64; 3], reading: &Reading, words: &Words) -> [Self; 2] {
+        let (text, ends) = numbers::reading(reading, words);
         [
-            Self { text, value: Value::Measured(factor * value, usual.clone()) },
-            Self { text: ends, value: Value::Between([factor * low, factor * high], usual) },
+            Self { text, value: Value::Measured(value, reading.unit.clone()) },
+            Self { text: ends, value: Value::Between([low, high], reading.unit.clone()) },
         ]
     }
 

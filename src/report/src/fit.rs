@@ -44,7 +44,7 @@ fn sections(fit: &Fit, over_whole_records: &Deviation, unusable: &[Unusable], wo
             vec![Column::words(words.col_name), Column::figures(words.col_value), Column::figures(words.col_interval)];
         let row = |m: &dashpot_identification::Measured| {
             let mut row = vec![Cell::from(words.named(m.name))];
-            row.extend(Cell::with_interval(m.value, m.low, m.high, m.unit, words));
+            row.extend(Cell::of_reading(m.shown(), &m.reading(), words));
             row
         };
         sections.push(Section::new(

@@ -88,10 +88,6 @@ const HUES: usize = 8;
 /// Draws the FV curves of all groups and of the reference in one figure. The curves include friction and gas force. The curve of a group
 /// covers the velocity range of the group's tests. The curve of the reference covers the range of the first group that has a reference.
 fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
-    let reach = |diagnosis: &Diagnosis| {
-        let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
-        velocities.fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)))
-    };
     let line = |params: &Params, (low, high): (f64, f64)| -> Option<Vec<[f64; 2]>> {
         let model = Model::new(params).ok()?;
         Some(between_velocities(&model, low, high).into_iter().map(|[v, f]| [1e3 * v, f]).collect())
@@ -130,6 +126,12 @@ fn curves(answers: &GroupResults, words: &Words) -> Option<Figure> {
     Some(Figure::new("group-curves", plane.draw_named(&names, SIZE, words)).saying(words.group_curves_caption))
 }
 
+/// Returns the lowest and the highest velocity of the tests of a group, m/s. Zero is always within.
+fn reach(diagnosis: &Diagnosis) -> (f64, f64) {
+    let velocities = diagnosis.tests.iter().flat_map(|test| test.curves.velocity.iter().copied());
+    velocities.fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)))
+}
+
 /// Returns whether the records of a group determine a parameter, so that a comparison with the reference is valid. `velocity`, m/s, is that
 /// of a point of the FV curve.
 fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) -> bool {
@@ -137,15 +139,19 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
         return false;
     }
     match velocity {
-        // A point beyond the velocities of the group's tests is extrapolated, so it is not compared.
-        Some(v) => reaches(diagnosis.tests.iter().flat_map(|t| &t.curves.velocity).copied(), v),
+        // A point beyond the velocities of the group's tests is extrapolated, so it is not compared. The whole curve has a point in both
+        // directions, of which the change states that in rebound.
+        Some(v) => reaches(reach(diagnosis), v) && (parameter != WHOLE_CURVE || reaches(reach(diagnosis), -v)),
         None => diagnosis.estimates.iter().any(|e| e.name == parameter && e.standing == Standing::Identified),
     }
 }
 
-/// Returns whether one of `velocities`, m/s, has the direction of `velocity` and at least its magnitude.
-fn reaches(mut velocities: impl Iterator<Item = f64>, velocity: f64) -> bool {
-    velocities.any(|of| of * velocity > 0.0 && of.abs() >= velocity.abs())
+/// Name of the change of the FV curve in both directions.
+const WHOLE_CURVE: &str = "fv_curve";
+
+/// Returns whether motion in this range of velocities reaches a velocity in its direction.
+fn reaches((low, high): (f64, f64), velocity: f64) -> bool {
+    if velocity < 0.0 { velocity >= low } else { velocity <= high && high > 0.0 }
 }
 
 /// Builds the table of every parameter that changed in any group, for the reference and all groups.
@@ -213,13 +219,177 @@ impl Page {
 
 #[cfg(test)]
 mod tests {
-    use super::reaches;
+    use super::*;
+    use crate::words::EN;
+    use dashpot_core::number;
+    use dashpot_diagnosis::{Curves, Figures, TestOutcome, Verdict};
+    use dashpot_identification::Estimate;
+    use dashpot_messages::Sentence;
+
+    fn change(name: &'static str, velocity_m_s: Option<f64>) -> Change {
+        let (reference, value, low, high) = (1000.0, 1300.0, 1280.0, 1320.0);
+        Change { name, reference, value, low, high, unit: "N", velocity_m_s, probability: 0.99, force_n_rms: 100.0 }
+    }
+
+    fn estimate(name: &'static str, standing: Standing) -> Estimate {
+        Estimate {
+            name,
+            index: None,
+            value: 1.0,
+            low: None,
+            high: None,
+            unit: "N",
+            from: Sentence::default(),
+            standing,
+        }
+    }
+
+    /// Makes the result of a group whose tests have these velocities.
+    fn group(group: &str, velocities: &[&[f64]], changes: Vec<Change>, estimates: Vec<Estimate>) -> GroupResult {
+        let figures =
+            Figures { rmse_n: 5.0, error_percent: 1.0, left_out_rmse_n: None, noise_n: 4.0, left_out_noise_n: None };
+        let test = |velocity: &&[f64]| TestOutcome {
+            test: "sine".to_owned(),
+            left_out: false,
+            before_rmse_n: 5.0,
+            after_rmse_n: 5.0,
+            noise_n: 4.0,
+            allowed_n: 5.0,
+            curves: Curves { velocity: velocity.to_vec(), ..Curves::default() },
+        };
+        let diagnosis = Diagnosis {
+            verdict: Verdict::Changed,
+            summary: Sentence::default(),
+            findings: Vec::new(),
+            inventory: Vec::new(),
+            changes,
+            suspects: Vec::new(),
+            regions: Vec::new(),
+            before: figures,
+            after: figures,
+            gap_closed: None,
+            unexplained_fraction: 0.0,
+            tree: Vec::new(),
+            next_tests: Vec::new(),
+            could_not_test: Vec::new(),
+            shifts: Vec::new(),
+            notes: Vec::new(),
+            about_the_reference: None,
+            tests: velocities.iter().map(test).collect(),
+            iterations: Vec::new(),
+            base: Params::new(),
+            improved: Params::new(),
+            reference: Some(Params::new()),
+            estimates,
+            measured: Vec::new(),
+            priors: Default::default(),
+            corrections: BTreeMap::new(),
+        };
+        GroupResult { group: group.to_owned(), reference: "good".to_owned(), tests: velocities.len(), diagnosis }
+    }
+
+    fn results(groups: Vec<GroupResult>) -> GroupResults {
+        GroupResults {
+            reference: "good".to_owned(),
+            left_aside: Vec::new(),
+            without_test: Vec::new(),
+            unusable: Vec::new(),
+            as_the_fit_saw: None,
+            groups,
+        }
+    }
 
     #[test]
-    fn a_point_beyond_the_tests_of_a_group_is_not_compared() {
-        let velocities = [-0.3, 0.0, 0.5];
-        let is_reached = |velocity| reaches(velocities.iter().copied(), velocity);
-        assert!(is_reached(0.4) && is_reached(0.5) && is_reached(-0.3));
-        assert!(!is_reached(0.6) && !is_reached(-0.4));
+    fn a_velocity_is_reached_from_zero_to_the_end_of_the_range_in_its_direction() {
+        let range = (-0.3, 0.5);
+        for (velocity, is_reached) in [
+            (0.4, true),
+            (0.5, true),
+            (0.500_001, false),
+            (0.6, false),
+            (-0.2, true),
+            (-0.3, true),
+            (-0.300_001, false),
+            (-0.4, false),
+            (f64::NAN, false),
+        ] {
+            assert_eq!(reaches(range, velocity), is_reached, "{velocity}");
+        }
+        // Motion in one direction alone shows nothing of the other.
+        assert!(!reaches((0.0, 0.5), -0.001) && !reaches((-0.5, 0.0), 0.001) && !reaches((0.0, 0.0), 0.0));
+    }
+
+    #[test]
+    fn the_reach_of_a_group_is_that_of_all_its_tests() {
+        let of = |velocities: &[&[f64]]| reach(&group("a", velocities, Vec::new(), Vec::new()).diagnosis);
+        assert_eq!(of(&[&[-0.1, 0.0, 0.2], &[-0.3, 0.1]]), (-0.3, 0.2));
+        // A test that does not cross zero, such as a stroke in one direction, shows the velocities in between as well.
+        assert_eq!(of(&[&[0.1, 0.4]]), (0.0, 0.4));
+        assert_eq!(of(&[]), (0.0, 0.0));
+    }
+
+    #[test]
+    fn a_comparison_needs_a_reference_records_that_go_there_and_a_number_that_they_determine() {
+        let determined = || {
+            vec![
+                estimate("gas_force", Standing::Identified),
+                estimate("coulomb_force", Standing::NotIdentified),
+                estimate("spring_linear", Standing::AtBound),
+            ]
+        };
+        let mut own = group("a", &[&[-0.3, 0.5]], Vec::new(), determined()).diagnosis;
+        let is = |own: &Diagnosis, name: &str, velocity| is_compared(own, name, velocity);
+        assert!(is(&own, "rebound_curve", Some(0.5)) && is(&own, "compression_curve", Some(-0.3)));
+        assert!(!is(&own, "rebound_high_speed", Some(1.0)) && !is(&own, "compression_high_speed", Some(-0.5)));
+        // The change of the whole curve states the velocity in rebound, and concerns compression too.
+        assert!(is(&own, "fv_curve", Some(0.3)) && !is(&own, "fv_curve", Some(0.4)));
+        assert!(is(&own, "gas_force", None));
+        for open in ["coulomb_force", "spring_linear", "oil_stiffness"] {
+            assert!(!is(&own, open, None), "{open}");
+        }
+        own.reference = None;
+        assert!(!is(&own, "rebound_curve", Some(0.1)) && !is(&own, "gas_force", None));
+    }
+
+    #[test]
+    fn the_table_says_no_change_only_where_something_was_compared() {
+        let gas = || vec![estimate("gas_force", Standing::Identified)];
+        let changed = vec![change("rebound_high_speed", Some(1.0)), change("gas_force", None)];
+        let answers = results(vec![
+            group("fast", &[&[-1.1, 1.1]], changed, gas()),
+            group("also_fast", &[&[-1.1, 1.1]], Vec::new(), gas()),
+            group("slow", &[&[-0.9, 0.9]], Vec::new(), Vec::new()),
+        ]);
+        let table = numbers(&answers, &EN);
+        let said: Vec<[&str; 3]> =
+            table.rows.iter().map(|row| [0, 1, 2].map(|column| row[column].text.as_str())).collect();
+        let of = |quantity: &str, group: &str| {
+            let row = said.iter().find(|row| row[0].contains(quantity) && row[1] == group);
+            row.unwrap_or_else(|| panic!("{quantity} {group} {said:?}"))[2]
+        };
+        for quantity in ["rebound_high_speed", "gas_force"] {
+            assert_eq!(of(quantity, "good").replace('\u{a0}', " "), "1000 N");
+            assert_eq!(of(quantity, "fast").replace('\u{a0}', " "), "1300 N");
+            assert_eq!(of(quantity, "also_fast"), EN.no_change);
+            assert_eq!(of(quantity, "slow"), EN.not_compared);
+        }
+    }
+
+    #[test]
+    fn curves_come_first_and_end_where_the_tests_of_their_group_end() {
+        let mut far = group("far", &[&[-1.0, 1.0]], vec![change("gas_force", None)], Vec::new());
+        far.diagnosis.improved.set(number!("gas_force"), 200.0).unwrap();
+        let answers = results(vec![group("near", &[&[-0.2, 0.1]], Vec::new(), Vec::new()), far]);
+        let made = Made { files: Vec::new(), ..Made::default() };
+        let page = page(&answers, Path::new("good.toml"), made, &EN);
+        let first = &page.sections[0].blocks;
+        assert!(matches!(&first[0], Block::Wide(_)) && matches!(&first[1], Block::Table(_)));
+        assert!(matches!(&page.sections[1].blocks[0], Block::Folded(..)));
+        let Block::Table(table) = &first[1] else { panic!() };
+        assert!(table.columns.iter().any(|column| column.heading == EN.col_answer && column.wraps));
+        let html = page.render();
+        // The folded table is open in print.
+        assert!(html.contains("class=\"whole\"") && html.contains("beforeprint"));
+        assert_eq!(reach(&answers.groups[0].diagnosis), (-0.2, 0.1));
     }
 }

@@ -124,17 +124,24 @@ pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     lines
 }
 
+/// Largest number of files whose hashes stand open and are printed. The files of many dampers are more, and their joint hash is in the list.
+const MANY: usize = 100;
+
 /// Builds the section on the origin of a report, its last section.
 pub fn section(made: &Made, words: &Words) -> Section {
     let mut blocks: Vec<Block> = vec![Block::List(lines(made, words))];
     let row = |f: &MadeFrom| vec![f.name.as_str().into(), Cell::count(f.bytes as usize), f.sha256.as_str().into()];
     if !made.files.is_empty() {
-        blocks.push(Block::Table(Table {
+        let table = Table {
             caption: words.made_files.to_owned(),
             columns: vec![Column::words(words.col_file), Column::figures(words.col_bytes), Column::words("SHA-256")],
             rows: made.files.iter().map(row).collect(),
             sortable: false,
-        }));
+        };
+        blocks.push(match made.files.len() {
+            0..=MANY => Block::Table(table),
+            _ => Block::Folded(words.made_files.to_owned(), table),
+        });
     }
     Section::new(ID, words.made_section, blocks)
 }

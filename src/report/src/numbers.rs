@@ -2,8 +2,8 @@
 
 use crate::plot::ticks::number;
 use crate::words::Words;
+use dashpot_records::Reading;
 use dashpot_records::newtons::places;
-use dashpot_records::reading_unit;
 
 /// Formats a force, N, without decimals. Below 10 N it has two digits, for small dampers.
 pub fn force(newton: f64) -> String {
@@ -32,17 +32,12 @@ pub fn frequency(hertz: f64) -> String {
 
 /// Formats a value with `significant` digits. Very large and very small values have a power of ten.
 pub fn digits(value: f64, significant: i32) -> String {
-    if value == 0.0 || !value.is_finite() {
-        return if value == 0.0 { "0".into() } else { "–".into() };
-    }
-    // Rounding may reach the next power of ten (999.6 is 1000), so read the exponent of the rounded value.
-    let rounded = format!("{value:.*e}", (significant - 1).max(0) as usize);
-    let (mantissa, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
-    let exponent: i32 = exponent.parse().unwrap_or(0);
-    if (-4..6).contains(&exponent) {
-        return number(value, (significant - 1 - exponent).max(0) as usize);
-    }
-    format!("{}\u{b7}10{}", mantissa.replace('-', "\u{2212}"), superscript(exponent))
+    typographic(&dashpot_records::digits(value, significant))
+}
+
+/// Replaces the ASCII minus of a number.
+pub(crate) fn typographic(number: &str) -> String {
+    number.replace('-', "\u{2212}")
 }
 
 /// Formats a value with the decimals that give `reference` three digits. Figures in one comparison then end at the same decimal. Values
@@ -54,26 +49,20 @@ pub fn comparable(value: f64, reference: f64) -> String {
 
 /// Formats a value in the SI unit `unit` with four digits, in the unit that engineers use for the quantity: mm, N/mm, ms.
 pub fn with_unit(value: f64, unit: &str) -> String {
-    let (factor, unit) = reading_unit(value, unit);
-    spaced(digits(factor * value, 4), &unit)
+    let reading = Reading::single(value, unit);
+    spaced(typographic(&reading.value), &reading.unit)
 }
 
 /// Formats a value and its interval, given in the SI unit `unit`, in one unit: `2.41 N/mm` and `2.37 to 2.45 N/mm`.
 pub fn with_interval(value: f64, low: f64, high: f64, unit: &str, words: &Words) -> (String, String) {
-    let (factor, unit) = reading_unit(value, unit);
-    let [value, low, high] = [value, low, high].map(|v| factor * v);
-    // Digits after the first two of the interval's half width are not significant.
-    let half = 0.5 * (high - low).abs();
-    let write = |v: f64| match half {
-        half if half.is_finite() && half > 0.0 && (1e-4..1e6).contains(&value.abs()) => {
-            let kept = (1.0 - libm::log10(half).floor()) as i32;
-            let four = 3 - libm::log10(value.abs()).floor() as i32;
-            number(v, kept.min(four).clamp(0, 9) as usize)
-        }
-        _ => digits(v, 4),
-    };
-    let ends = words.fill_as_is(words.range, &[("low", &write(low)), ("high", &write(high))]);
-    (spaced(write(value), &unit), spaced(ends, &unit))
+    reading(&Reading::new(value, low, high, unit), words)
+}
+
+/// Formats a reading as the texts of two cells: the value, and the ends of its interval.
+pub fn reading(of: &Reading, words: &Words) -> (String, String) {
+    let [value, low, high] = [&of.value, &of.low, &of.high].map(|text| typographic(text));
+    let ends = words.fill_as_is(words.range, &[("low", &low), ("high", &high)]);
+    (spaced(value, &of.unit), spaced(ends, &of.unit))
 }
 
 fn spaced(figures: String, unit: &str) -> String {
@@ -83,14 +72,6 @@ fn spaced(figures: String, unit: &str) -> String {
 /// Formats a fraction in percent, without decimals.
 pub fn fraction(value: f64) -> String {
     if value.is_finite() { format!("{}\u{a0}%", number(100.0 * value, 0)) } else { "–".into() }
-}
-
-/// Formats a whole number as a superscript.
-fn superscript(value: i32) -> String {
-    const RAISED: [char; 10] = ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'];
-    let digits = value.unsigned_abs().to_string();
-    let raised = digits.bytes().map(|digit| RAISED[usize::from(digit - b'0')]);
-    if value < 0 { std::iter::once('⁻').chain(raised).collect() } else { raised.collect() }
 }
 
 #[cfg(test)]

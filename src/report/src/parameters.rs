@@ -2,7 +2,7 @@
 
 use super::blocks::{Block, Column, Section, Table};
 use crate::cells::Cell;
-use crate::numbers::{digits, with_unit};
+use crate::numbers::{digits, typographic, with_unit};
 use crate::words::Words;
 
 use dashpot_core::Params;
@@ -13,6 +13,7 @@ use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::priors;
 use dashpot_identification::model_file::{Interval, ModelFile};
 use dashpot_identification::{Estimate, Fit, Standing};
+use dashpot_records::{Reading, reading_unit};
 
 /// A row of the table, for one parameter of a model.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,16 +109,21 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     if parameters.is_empty() {
         return None;
     }
-    let known = |value: Option<f64>| value.map_or_else(|| "".into(), |value| Cell::digits(value, 4));
     let rows = parameters
         .iter()
         .map(|row| {
+            // Digits and unit are those of the notes on the same number.
+            let [low, high] = [row.low, row.high].map(|end| end.unwrap_or(f64::NAN));
+            let reading = Reading::new(row.value, low, high, &row.unit);
+            let (factor, _) = reading_unit(row.value, &row.unit);
+            let cell = |number: f64, text: &str| Cell::number(factor * number, |_| typographic(text));
+            let known = |end: Option<f64>, text: &str| end.map_or_else(|| "".into(), |end| cell(end, text));
             vec![
                 row.name.as_str().into(),
-                Cell::digits(row.value, 4),
-                row.unit.as_str().into(),
-                known(row.low),
-                known(row.high),
+                cell(row.value, &reading.value),
+                reading.unit.as_str().into(),
+                known(row.low, &reading.low),
+                known(row.high, &reading.high),
                 row.source.as_str().into(),
                 row.assumed.clone().map_or_else(|| row.remark.said(words), |assumed| assumed).into(),
             ]

@@ -280,7 +280,7 @@ fn one_rate_of_turning_tells_no_delay_from_compliance_and_that_is_said() {
     let tests: Vec<Sine> = [0.05, 0.03, 0.02, 0.01, 0.005].map(|amplitude| Sine::new(amplitude, 2.0)).to_vec();
     let found = fitted(&kernel_campaign::campaign(&truth(), &tests, 1, 0.01));
     assert!(
-        found.measured.is_empty() && found.notes.iter().any(|n| n.to_string().contains("three times the frequency")),
+        found.measured.is_empty() && found.notes.iter().any(|n| n.to_string().contains("a third of the frequency")),
         "{:?}",
         found.notes
     );

@@ -12,6 +12,7 @@ mod hidden_effects;
 mod hostile_texts;
 mod hosts;
 mod identification;
+mod notes_and_tables;
 mod other_laboratory;
 mod other_sizes;
 mod packages;

@@ -7,6 +7,7 @@ use clap::Args;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::{Campaign, Channel, DateOrder, Note, Options, Positive, RecordError, assignment, load};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// Options for reading records.
@@ -242,6 +243,19 @@ impl DataArgs {
         self.read_noting(paths, options, &|_| true)
     }
 
+    /// Reads one of many campaigns. Adds the notes that [`DataArgs::read`] prints to `notes`, for [`print_notes_of_groups`].
+    pub fn read_one_of_many(
+        &self,
+        paths: &[PathBuf],
+        options: &Options,
+        notes: &RefCell<Vec<Note>>,
+    ) -> Result<Campaign, RecordError> {
+        let campaign = self.read_noting(paths, options, &|_| false)?;
+        let shown = campaign.notes.iter().filter(|note| is_shown_first(note) && note.kind != "sign_unsure");
+        notes.borrow_mut().extend(shown.cloned());
+        Ok(campaign)
+    }
+
     /// Reads records, and prints the notes for which both [`is_shown_first`] and `is_wanted` are true, except on an uncertain sign.
     fn read_noting(
         &self,
@@ -307,6 +321,26 @@ pub fn is_shown_first(note: &Note) -> bool {
 pub fn print_sign<'a>(notes: impl IntoIterator<Item = &'a Note>) {
     for note in notes.into_iter().filter(|note| note.kind == "sign_unsure") {
         dashpot_output::warn(&format!("warning: {}", note.text));
+    }
+}
+
+/// Prints the notes on many campaigns. Of equal notes that differ in names and numbers, only the first is printed, with the number of the
+/// others, so that the output does not grow with the number of campaigns. Warnings are printed for each campaign.
+pub fn print_notes_of_groups(notes: &[Note]) {
+    let (loud, quiet): (Vec<&Note>, Vec<&Note>) = notes.iter().partition(|note| note.is_loud());
+    for note in loud {
+        dashpot_output::warn(&format!("warning: {}", note.text));
+    }
+    let mut first: Vec<(&Note, usize)> = Vec::new();
+    for note in quiet {
+        match first.iter_mut().find(|(known, _)| known.text.template() == note.text.template()) {
+            Some((_, others)) => *others += 1,
+            None => first.push((note, 0)),
+        }
+    }
+    for (note, others) in first {
+        let more = if others == 0 { String::new() } else { format!(" (and {others} more such notes)") };
+        dashpot_output::warn(&format!("note: {}{more}", note.text));
     }
 }
 

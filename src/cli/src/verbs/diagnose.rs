@@ -1,6 +1,6 @@
 //! `dashpot diagnose`: regions where model and records disagree, and the missing effect.
 
-use super::data::{named, print_sign};
+use super::data::{named, print_notes_of_groups, print_sign};
 pub use super::diagnose_args::Args;
 use super::diagnose_settings::{self, First};
 use super::diagnosed::examine;
@@ -16,6 +16,7 @@ use dashpot_records::{Campaign, Record, agree_on_sign, hold_out};
 use dashpot_report::groups::page;
 use dashpot_report::words::TERMINAL;
 use dashpot_report::{reading, write_workbook};
+use std::cell::RefCell;
 use std::path::{Path, PathBuf};
 
 /// Returns for each test whether it is left out of all refits. Without `patterns`, selects some tests of every
@@ -145,7 +146,9 @@ fn of_groups(args: &Args, model: &ModelFile, by: &str) -> anyhow::Result<()> {
         good = Some(Good { name: named(&args.reference), campaign: data.load_reference(&args.reference)? });
     }
     let reference = good.as_mut().map(|good| &mut good.campaign);
-    let split = split(&data.data, by, &|paths| data.read(paths, &options), reference)?;
+    let notes = RefCell::new(Vec::new());
+    let split = split(&data.data, by, &|paths| data.read_one_of_many(paths, &options, &notes), reference)?;
+    print_notes_of_groups(&notes.into_inner());
     print_sign(split.notes.iter().chain(good.iter().flat_map(|good| &good.campaign.notes)));
     let mut files: Vec<PathBuf> = std::iter::once(&args.model).chain(&split.files).cloned().collect();
     files.extend(good.iter().flat_map(|good| good.campaign.files.clone()));

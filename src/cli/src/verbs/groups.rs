@@ -1,14 +1,18 @@
 //! Text output of `dashpot diagnose --group`: many dampers, or one damper at many settings, each compared with a reference.
 
 use crate::plural::count_tests;
-use dashpot_diagnosis::Change;
 use dashpot_diagnosis::groups::GroupResults;
+use dashpot_diagnosis::{Change, Verdict};
 use dashpot_report::numbers::{fraction, with_interval, with_unit};
 use dashpot_report::words::TERMINAL;
 
 fn change(change: &Change) -> String {
     let (value, interval) = with_interval(change.value, change.low, change.high, change.unit, &TERMINAL);
     format!("{value} (95 %: {interval})")
+}
+
+fn count_more(count: usize) -> String {
+    if count == 1 { "1 more number".to_owned() } else { format!("{count} more numbers") }
 }
 
 /// Largest number of changes that the text lists for a group.
@@ -20,7 +24,8 @@ fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }
 
-/// Formats one line for each group, with the parameters that changed in this group, and notes.
+/// Formats the answer of each group, with the parameters that changed in it, and notes. A group has one line, and at most [`TOLD`] + 1 lines
+/// on parameters.
 pub fn format_groups(answers: &GroupResults) -> Vec<String> {
     let is_chain = answers.groups.iter().any(|answer| answer.reference != answers.reference);
     let with = if is_chain { "the group before each, the first with " } else { "" };
@@ -34,6 +39,10 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             .collect();
         let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
         lines.push(format!("  {}: {}; {names}", answer.group, count_tests(answer.tests)));
+        // The summary of a damper that only changed states the changes itself.
+        if answer.diagnosis.verdict == Verdict::Changed {
+            continue;
+        }
         let all = answer.diagnosis.changes.len();
         let changed = foremost(&answer.diagnosis.changes);
         for one in changed {
@@ -41,7 +50,7 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             lines.push(format!("    {:<30} {before:>16} -> {}", one.label(), change(one)));
         }
         if all > changed.len() {
-            lines.push(format!("    and {} more numbers: --report or --json has them", all - changed.len()));
+            lines.push(format!("    and {}: --report or --json has them", count_more(all - changed.len())));
         }
     }
     lines.extend(answers.as_the_fit_saw.iter().map(|text| format!("note: {text}")));

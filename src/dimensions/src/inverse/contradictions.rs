@@ -10,6 +10,7 @@ use crate::uncertain::{Uncertain, through};
 use dashpot_core::number;
 use dashpot_core::parameter::Number;
 use dashpot_messages::Sentence;
+use dashpot_records::reading_unit;
 
 /// Largest factor by which the search for a cause of a contradiction changes an entry, as a natural logarithm: a
 /// hundred. A mistaken unit gives a larger factor, and is mostly outside the bounds of the entry.
@@ -118,8 +119,9 @@ fn contradiction(own: Uncertain, expectation: Expectation, stand: &Stand<'_>, dr
     let (model, dimensions) = (own.value, expectation.expected.value);
     let unit = stand.number.parameter().unit;
     let with_unit = |value: f64| {
-        let digits = digits(value);
-        if unit == "-" { digits } else { format!("{digits} {unit}") }
+        // Both values are in the unit of the tables of the model's numbers.
+        let (factor, unit) = reading_unit(model, unit);
+        format!("{} {unit}", digits(factor * value)).trim_end().to_owned()
     };
     let is_one = expectation.from.len() == 1 && expectation.number != number!("gas_force");
     let causes = causes(own.value, &expectation, stand, drawing);

@@ -198,6 +198,8 @@ pub fn load(
     common_clock::settle(&mut records, &mut notes);
     unit_magnitude::refuse(&records, options)?;
     deviating_tests::check(&records, &readings, &mut notes)?;
+    let frame = rig_frame(&records, sign.positive, options, counts_inches);
+    records.iter_mut().for_each(|record| record.frame = frame);
     plausibility::remark(&records, options, &mut notes)?;
     let in_the_middle = force_levels::in_the_middle(&records);
     force_offset::tell(&records, &in_the_middle, &mut notes);
@@ -205,8 +207,6 @@ pub fn load(
     truncated_test::tell(&records, &mut notes);
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
-    let frame = rig_frame(&records, sign.positive, options, counts_inches);
-    records.iter_mut().for_each(|record| record.frame = frame);
     Ok(Campaign { records, sign, delay, notes, unusable, files })
 }
 

@@ -93,13 +93,19 @@ pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note
             notes.push(Note { kind: "small", text });
         }
     };
+    // The notes are in the unit of the files, because a user compares them with the files.
+    let frame = records.first().map(|record| record.frame).unwrap_or_default();
     let (amplitude, speed, force) = (most(|r| r.amplitude), most(|r| r.peak_velocity), most(|r| range(&r.force)));
     small(
         amplitude,
         SMALL_AMPLITUDE,
-        Sentence::from(phrases::SMALL_AMPLITUDE).with("amplitude", format!("{:.4}", 1e3 * amplitude)),
+        Sentence::from(phrases::SMALL_AMPLITUDE)
+            .with("amplitude", format!("{:.4}", amplitude / frame.unit.to_si(1.0)))
+            .with("unit", frame.unit.name()),
     );
-    small(speed, SMALL_SPEED, Sentence::from(phrases::SLOW).with("velocity", format!("{:.3}", 1e3 * speed)));
+    let velocity = format!("{:.3}", speed / frame.speed_unit().to_si(1.0));
+    let slow = Sentence::from(phrases::SLOW).with("velocity", velocity).with("unit", frame.speed_unit().name());
+    small(speed, SMALL_SPEED, slow);
     small(force, SMALL_FORCE, Sentence::from(phrases::SMALL_FORCE).with("force", format!("{force:.3}")));
     let mut known: HashMap<String, &Record> = HashMap::with_capacity(records.len());
     for record in records {

@@ -55,6 +55,11 @@ impl RigFrame {
         (self.zero_m + self.turn * inside) / self.gain
     }
 
+    /// Returns the unit of speeds in messages: that of lengths per second.
+    pub fn speed_unit(&self) -> Unit {
+        if self.unit == Unit::Inch { Unit::InchPerSecond } else { Unit::MillimetrePerSecond }
+    }
+
     /// Converts a sine to the coordinates of the files.
     pub fn count(&self, sine: RigSine) -> RigSine {
         RigSine { amplitude_m: sine.amplitude_m / self.gain, mean_m: self.position(sine.mean_m), ..sine }

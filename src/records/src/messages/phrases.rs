@@ -94,8 +94,8 @@ dashpot_messages::phrases! {
     FORCE_DRIFTS: "mean force drifts by {drift} N over {cycles} cycles ({percent} % of its range); left as it is";
     // Values that are too small for a damper.
     NO_FORCE: "the force shows nothing but noise in {tests}; check the load cell, or leave these tests out";
-    SMALL_AMPLITUDE: "the largest amplitude is {amplitude} mm: is the unit of displacement right?";
-    SLOW: "the fastest test reaches {velocity} mm/s: are the units of time and motion right? From slow tests alone a model knows nothing of driving";
+    SMALL_AMPLITUDE: "the largest amplitude is {amplitude} {unit}: is the unit of displacement right?";
+    SLOW: "the fastest test reaches {velocity} {unit}: are the units of time and motion right? From slow tests alone a model knows nothing of driving";
     SMALL_FORCE: "the force never changes by more than {force} N: is its unit right?";
     TORN: "{test}: holds less than one cycle and ends in the middle of a stroke, at {velocity} mm/s of at most {peak} mm/s; if the file broke off, export it again, or leave it out with --exclude";
     TWINS: "{test} holds the same samples as {twin} and counts twice";

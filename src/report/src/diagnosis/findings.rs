@@ -185,3 +185,50 @@ fn shifts(found: &Diagnosis, words: &Words) -> Table {
     ];
     Table { caption: words.shifts_caption.to_owned(), columns, rows, sortable: false }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{DE, EN};
+
+    /// The sentence of a change states the numbers of its row, in each language, for every size and width.
+    #[test]
+    fn a_sentence_on_a_change_has_the_digits_and_the_unit_of_its_row() {
+        let units: [(&str, f64, Option<f64>, &'static str); 5] = [
+            ("gas_force", 84.85, None, "N"),
+            ("series_stiffness", 2.067e6, None, "N/m"),
+            ("presliding_length", 1.5e-4, None, "m"),
+            ("rebound_curve", 2329.0, Some(0.359), "N"),
+            ("compression_low_speed", -41.03, Some(-0.046), "N"),
+        ];
+        for (name, reference, velocity_m_s, unit) in units {
+            for factor in [0.0913, 0.3571, 1.17, 3.468, 12.3] {
+                for width in [0.0, 1e-4, 0.013, 0.31, 2.4] {
+                    let value = factor * reference;
+                    let half = width * value.abs();
+                    let change = Change {
+                        name,
+                        reference,
+                        value,
+                        low: value - half,
+                        high: value + 0.7 * half,
+                        unit,
+                        velocity_m_s,
+                        probability: 0.9,
+                        force_n_rms: 1.0,
+                    };
+                    for words in [&EN, &DE] {
+                        let said = words.say(&change.sentence()).replace('\u{a0}', " ");
+                        let [shown, _] = Cell::with_interval(value, change.low, change.high, unit, words);
+                        let shown = words.number(&shown.text).replace('\u{a0}', " ");
+                        // Of a force at a velocity, the unit stands at the end of both forces.
+                        assert!(said.contains(&shown), "{said}: {shown}");
+                        let before = words.number(&crate::numbers::with_unit(reference, unit)).replace('\u{a0}', " ");
+                        let digits = before.split(' ').next().unwrap();
+                        assert!(said.contains(digits), "{said}: {before}");
+                    }
+                }
+            }
+        }
+    }
+}

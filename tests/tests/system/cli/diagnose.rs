@@ -2,7 +2,7 @@
 
 use super::excel;
 use dashpot_diagnosis::EFFECTS;
-use dashpot_tests::cli::{contents, done, json, number, refused, run_with, small_campaign};
+use dashpot_tests::cli::{contents, done, json, number, refused, run, run_with, small_campaign};
 use serde_json::Value;
 use std::collections::BTreeSet;
 use std::sync::OnceLock;
@@ -410,14 +410,29 @@ fn groups_are_compared_with_one_reference() {
             });
             let scaled: String = scaled.collect();
             std::fs::write(to.join(path.file_name().unwrap()), scaled).unwrap();
+            // A record in a subfolder is not read, with a note.
+            std::fs::create_dir_all(to.join("old")).unwrap();
+            std::fs::copy(&path, to.join("old/old.csv")).unwrap();
         }
     }
     let outputs = ["--report", "g.html", "--excel", "g.xlsx"];
-    let told = done(
+    let ran = run(
         dir,
         &[&["diagnose", "plain.toml", "fleet", "--group", "folders", "--json", "g.json"][..], &outputs].concat(),
     );
+    assert_eq!(ran.code, Some(0), "{}", ran.err);
+    let told = ran.out;
     assert!(told.contains("Compared with a:") && told.contains("  b: ") && told.contains("  c: "), "{told}");
+    // The terminal has the answers: at most five lines a group, and notes that do not grow with the number of groups.
+    let of_groups = told.lines().skip_while(|line| !line.starts_with("Compared with"));
+    let answers: Vec<&str> = of_groups.take_while(|line| !line.starts_with("report:")).skip(1).collect();
+    let begins = |line: &&&str| line.starts_with("  ") && !line.starts_with("   ");
+    assert_eq!(answers.iter().filter(begins).count(), 2, "{told}");
+    for group in answers.split(|line| begins(&line)) {
+        assert!(group.len() <= 4, "{told}");
+    }
+    assert_eq!(ran.err.matches("hold 1 files that were not read").count(), 1, "{}", ran.err);
+    assert!(ran.err.contains("(and 2 more such notes)"), "{}", ran.err);
     let all = json(&dir.join("g.json"));
     let groups = list(&all, "groups");
     assert_eq!(groups.iter().map(|g| word(g, "group")).collect::<Vec<_>>(), ["b", "c"]);
@@ -452,6 +467,9 @@ fn groups_are_compared_with_one_reference() {
     std::fs::create_dir(dir.join("fleet/d")).unwrap();
     for entry in std::fs::read_dir(dir.join("fleet/c")).unwrap() {
         let path = entry.unwrap().path();
+        if path.is_dir() {
+            continue;
+        }
         std::fs::copy(&path, dir.join("fleet/d").join(path.file_name().unwrap())).unwrap();
     }
     let told = done(

@@ -1,6 +1,7 @@
 //! Tests of the option `--excel`: the tables of a report as a workbook, which the tests read again.
 
 use calamine::{Data, Range, Reader as _, Xlsx, open_workbook};
+use dashpot_records::reading_unit;
 use dashpot_tests::bridge::MODEL;
 use dashpot_tests::cli::{done, json, number, refused, small_campaign};
 use std::path::Path;
@@ -49,9 +50,16 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     let estimates = json(&dir.join("f.json"));
     let estimates = estimates["parameters"].as_array().expect("parameters");
     assert_eq!(values.len(), estimates.len());
-    for (cell, estimate) in values.iter().zip(estimates) {
+    let units = column(sheet(&fitted, "Model parameters"), "unit");
+    for ((cell, unit), estimate) in values.iter().zip(&units).zip(estimates) {
+        // The sheet has the units of the reports, such as N/mm, and the JSON has SI units.
+        let value = number(estimate, "value");
+        let (factor, shown) = reading_unit(value, estimate["unit"].as_str().expect("a unit"));
         match cell {
-            Data::Float(value) => assert_eq!(*value, number(estimate, "value"), "{estimate}"),
+            Data::Float(cell) => {
+                assert_eq!(*cell, factor * value, "{estimate}");
+                assert_eq!(unit.to_string(), shown, "{estimate}");
+            }
             _ => assert_eq!(estimate["standing"], "not_identified", "{estimate}"),
         }
     }

@@ -317,54 +317,132 @@ def _quantity(q: Quantity, dates: Numbers, serials: Places, order: Places, names
 
 
 def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, groups: Sequence[Any]) -> str:
-    from matplotlib.figure import Figure
-    from matplotlib.ticker import MaxNLocator, ScalarFormatter
+    out = io.BytesIO()
+    # The image contains no version and no date, so that equal results give equal bytes.
+    figure_of(q, dates, order, chart, groups).savefig(out, format="png", dpi=DPI, metadata={"Software": None})
+    return f'<img alt="{html.escape(q.name)}" src="data:image/png;base64,{base64.b64encode(out.getvalue()).decode()}">'
 
-    figure = Figure(figsize=(12.5, 2.9))
+
+#: Resolution of a picture, dots per inch. At 90, a label of 9 points has 11 px.
+DPI = 90
+#: Size of the tick labels, points, and the width of a digit and the height of a line at this size, px.
+_LABEL, _DIGIT, _LINE = 9, 7.2, 15.0
+#: Largest ratio of the range of the values to their median at which the picture shows differences from a common value. Labels of the values would
+#: be equal except for their last digits.
+_FINE = 1e-3
+
+
+def figure_of(q: Quantity, dates: Numbers, order: Places, chart: Control | None, groups: Sequence[Any]) -> Any:
+    """Draws the values of one quantity: their distribution, over date, over the order of manufacture, and by batch."""
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(12.5, 3.2), dpi=DPI)
     axes = figure.subplots(1, 4, width_ratios=[1, 1.2, 1.6, 1])
     # The margins are fixed, because automatic layout takes longer than drawing.
-    figure.subplots_adjust(left=0.055, right=0.995, bottom=0.27, top=0.97, wspace=0.32)
+    figure.subplots_adjust(left=0.065, right=0.985, bottom=0.34, top=0.96, wspace=0.36)
     there = q.values[np.isfinite(q.values)]
-    axes[0].hist(there, bins=min(40, max(5, int(np.sqrt(len(there))))), color="#4f7cac")
-    axes[0].set_xlabel(q.unit)
+    base = _base(there)
+    unit = q.unit if base == 0 else f"difference from {base:.10g} {q.unit}"
+    axes[0].hist(there - base, bins=min(40, max(5, int(np.sqrt(len(there))))), color="#4f7cac")
+    axes[0].set_xlabel(unit, fontsize=_LABEL)
     dated = np.isfinite(dates) & np.isfinite(q.values)
     if dated.any():
-        axes[1].plot((dates[dated] - dates[dated].min()), q.values[dated], ".", ms=3, color="#4f7cac")
+        axes[1].plot((dates[dated] - dates[dated].min()), q.values[dated] - base, ".", ms=3, color="#4f7cac")
         first = datetime.datetime.fromtimestamp(86400 * float(dates[dated].min())).date().isoformat()
-        axes[1].set_xlabel(f"days from {first}")
+        axes[1].set_xlabel(f"days from {first}", fontsize=_LABEL)
     else:
         _empty(axes[1], "no dates")
-    values = q.values[order]
+    values = q.values[order] - base
     axes[2].plot(values, ".-", ms=3, lw=0.4, color="#4f7cac")
     if chart is not None:
         for level, style in ((chart.centre, "-"), (chart.low, "--"), (chart.high, "--")):
-            axes[2].axhline(level, ls=style, lw=0.8, color="#6b7280")
+            axes[2].axhline(level - base, ls=style, lw=0.8, color="#6b7280")
         for places, colour in ((chart.shifted, "#d97706"), (chart.beyond, "#dc2626")):
             axes[2].plot(list(places), values[list(places)], "o", ms=4, color=colour)
-    axes[2].set_xlabel("order of making")
+    axes[2].set_xlabel("order of making", fontsize=_LABEL)
     if groups:
         at = np.arange(len(groups))
-        means = np.array([g.mean for g in groups])
-        half = np.nan_to_num(np.array([g.high - g.mean for g in groups]))
+        means = np.array([g.mean for g in groups]) - base
+        half = np.nan_to_num(np.array([g.high - g.low for g in groups]) / 2)
         axes[3].errorbar(at, means, yerr=half, fmt="o", ms=4, capsize=3, color="#4f7cac")
-        if len(groups) <= 12:
-            axes[3].set_xticks(at, [plain(g.name) for g in groups], rotation=45, ha="right", fontsize=9)
-        axes[3].set_xlabel("batch")
+        axes[3].set_xlim(-0.5, len(groups) - 0.5)
+        axes[3].set_xlabel("batch", fontsize=_LABEL)
     else:
         _empty(axes[3], "no batches")
-    for axis in axes:
-        # At 90 dots per inch, 9 points are 11 px. Few ticks with complete numbers are used, because an offset in a corner (1e6 + ...) is hard to
-        # read.
-        axis.tick_params(labelsize=9)
-        for way, formatter in ((axis.xaxis, axis.xaxis.get_major_formatter()), (axis.yaxis, axis.yaxis.get_major_formatter())):
-            if isinstance(formatter, ScalarFormatter):
-                way.set_major_locator(MaxNLocator(5 if way is axis.yaxis else 4))
-                formatter.set_useOffset(False)
-                formatter.set_powerlimits((-4, 6))
-    out = io.BytesIO()
-    # The image contains no version and no date, so that equal results give equal bytes.
-    figure.savefig(out, format="png", dpi=90, metadata={"Software": None})
-    return f'<img alt="{html.escape(q.name)}" src="data:image/png;base64,{base64.b64encode(out.getvalue()).decode()}">'
+    for k, axis in enumerate(axes):
+        axis.tick_params(labelsize=_LABEL)
+        if axis.get_xticks().size:
+            _set_ticks(axis, axis.yaxis, whole=k == 0)
+            if k == 3:
+                _name_batches(axis, [g.name for g in groups])
+            else:
+                _set_ticks(axis, axis.xaxis, whole=k == 2)
+    return figure
+
+
+def _base(values: Numbers) -> float:
+    """Returns the value from which a picture shows differences, or 0 if it shows the values."""
+    middle = float(np.median(values))
+    span = float(np.ptp(values))
+    return float(f"{middle:.6g}") if 0 < span < _FINE * abs(middle) else 0.0
+
+
+def _set_ticks(axes: Any, way: Any, whole: bool) -> None:
+    """Sets the largest number of ticks at which labels are complete, differ from each other and do not overlap."""
+    from matplotlib.ticker import FixedFormatter, FixedLocator, MaxNLocator
+
+    is_x = way is axes.xaxis
+    box = axes.get_position()
+    width, height = (DPI * axes.figure.get_size_inches() * (box.width, box.height)).tolist()
+    low, high = axes.get_xlim() if is_x else axes.get_ylim()
+    for most in (5, 4, 3, 2, 1):
+        locator = MaxNLocator(most, integer=whole, steps=[1, 2, 2.5, 5, 10], min_n_ticks=1)
+        at = [float(tick) for tick in locator.tick_values(low, high) if low <= tick <= high]
+        labels = _labels(at)
+        needed = sum(_DIGIT * len(label) + 10 for label in labels) if is_x else _LINE * len(labels)
+        if at and needed <= (width if is_x else height):
+            break
+    way.set_major_locator(FixedLocator(at))
+    way.set_major_formatter(FixedFormatter(labels))
+
+
+def _labels(at: Sequence[float]) -> list[str]:
+    """Formats ticks with the fewest digits that state each of them. Every label is a complete number, without a power of ten in a corner."""
+    step = min((b - a for a, b in zip(at, at[1:], strict=False)), default=max((abs(tick) for tick in at), default=1.0)) or 1.0
+    exact = [0.0 if abs(tick) < 1e-9 * step else tick for tick in at]
+    for digits in range(1, 16):
+        labels = [f"{tick:.{digits}g}" for tick in exact]
+        if all(abs(float(label) - tick) <= 1e-6 * step for label, tick in zip(labels, exact, strict=True)):
+            break
+    # From a million on and below a ten-thousandth, numbers have an exponent.
+    return [_plain_number(float(label)) for label in labels]
+
+
+def _plain_number(value: float) -> str:
+    if value == 0 or 1e-4 <= abs(value) < 1e6:
+        return f"{value:.10f}".rstrip("0").rstrip(".")
+    mantissa, exponent = f"{value:.10e}".split("e")
+    return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
+
+
+#: Largest number of characters of a batch's name below its tick. A longer name would be cut by the edge of the picture.
+_NAME = 12
+
+
+def _name_batches(axes: Any, names: Sequence[str]) -> None:
+    """Labels batches, as many as have space at 45 degrees. Names that are equal after shortening get a number."""
+    width = DPI * float(axes.figure.get_size_inches()[0]) * axes.get_position().width
+    # Two lines at 45 degrees are apart by the square root of one half of the distance of their ticks.
+    every = max(1, int(np.ceil(len(names) * _LINE * np.sqrt(2) / width)))
+    shown = [_shortened(name, k) for k, name in enumerate(names)]
+    at = list(range(0, len(names), every))
+    axes.set_xticks(at, [plain(shown[k]) for k in at], rotation=45, ha="right", rotation_mode="anchor", fontsize=_LABEL)
+
+
+def _shortened(name: str, number: int) -> str:
+    if len(name) <= _NAME:
+        return name
+    return f"{name[: _NAME - 6]}\N{HORIZONTAL ELLIPSIS}{name[-2:]} {number + 1}"
 
 
 def _empty(axis: Any, why: str) -> None:
