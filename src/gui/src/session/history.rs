@@ -4,6 +4,7 @@
 const DEPTH: usize = 500;
 
 /// A value with its undo and redo steps. `C` is the type that identifies the subject of a change.
+#[derive(Clone)]
 pub struct History<T, C> {
     past: Vec<T>,
     now: T,

@@ -118,6 +118,8 @@ pub struct Session {
     others: replacing::Others,
     /// Number of times that records were read.
     read: u64,
+    /// Number of times that a reference was read.
+    read_reference: u64,
     simulator: Simulator,
     waker: Waker,
     /// Time of the last movement of a slider, while the simulation of whole records is pending.
@@ -153,6 +155,7 @@ impl Session {
             arrived: None,
             others: replacing::Others::default(),
             read: 0,
+            read_reference: 0,
             simulator: Simulator::new(waker.clone()),
             waker,
             moving: None,
@@ -326,9 +329,13 @@ impl Session {
         }
     }
 
-    /// Moves to another setting of an adjustable damper.
+    /// Moves to another setting of an adjustable damper. Undo then returns to values that were tuned at the previous setting.
     pub fn move_to(&mut self, setting: f64) {
+        let before = self.model.as_ref().filter(|model| model.can().0).cloned();
         if self.step(|model| model.move_to(setting)) {
+            if let Some(before) = before {
+                self.keep(before);
+            }
             // Forces of the identified model at the previous setting are not comparable, so they are discarded.
             self.identified = None;
         }
@@ -435,6 +442,7 @@ impl Session {
             Outcome::Reference(loaded) => {
                 self.tell_unusable(&loaded);
                 self.reference = Some(Arc::new(loaded));
+                self.read_reference += 1;
                 self.see_as_the_fit_saw();
                 self.generation += 1;
             }

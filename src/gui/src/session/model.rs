@@ -17,13 +17,16 @@ use std::path::{Path, PathBuf};
 const START: usize = 0;
 
 /// An open model file.
+#[derive(Clone)]
 pub struct Tuned {
     /// Path of the file that was read or last saved.
     pub path: Option<PathBuf>,
     /// Parameter values as read or fitted. Tuned values are compared with them, and a reset restores them.
     pub identified: Params,
-    /// Results of the fit.
+    /// Results of the fit, for an adjustable damper those of all settings.
     pub identification: Identification,
+    /// Results of the fit that hold at the setting of the values; `None` for an ordinary damper.
+    at_setting: Option<Identification>,
     /// Indices of the parameters that the file contains.
     given: Vec<usize>,
     /// The adjustable damper and the setting of the parameter values; `None` for an ordinary damper.
@@ -71,12 +74,14 @@ impl Tuned {
             (damper, start)
         });
         let params = over.as_ref().map_or(file.params, |(damper, setting)| damper.params_at(*setting));
+        let at_setting = over.as_ref().map(|(_, setting)| at_setting(&file, *setting).identification);
         let ModelFile { identification, specified: given, .. } = file;
         Tuned {
             path: None,
             over,
             identified: params,
             identification,
+            at_setting,
             given,
             text: None,
             history: History::new(params),
@@ -144,6 +149,7 @@ impl Tuned {
         // The values at the other setting come from the same model file, so there is no undo step and nothing to save.
         let is_saved = self.saved.as_ref() == Some(&self.identified);
         self.identified = params;
+        self.at_setting = self.whole_file().map(|file| at_setting(&file, setting).identification);
         self.history = History::new(params);
         self.rejected = None;
         if is_saved {
@@ -312,21 +318,33 @@ impl Tuned {
     /// Returns whether the fit did not identify a parameter or an entry of a list.
     pub fn is_loose(&self, name: &str, entry: Option<usize>) -> bool {
         let identifier = entry.map_or_else(|| name.to_owned(), |k| format!("{name}[{k}]"));
-        self.identification.not_identified.contains(&identifier)
+        self.shown_identification().not_identified.contains(&identifier)
+    }
+
+    /// Returns the results of the fit that hold for the values on screen.
+    fn shown_identification(&self) -> &Identification {
+        self.at_setting.as_ref().unwrap_or(&self.identification)
+    }
+
+    /// Returns whether a fit made the file. The values of any other file are not identified.
+    pub fn is_of_a_fit(&self) -> bool {
+        let of = &self.identification;
+        let has_no_interval = of.intervals.is_empty() && of.intervals_over_setting.is_empty();
+        !(has_no_interval && of.not_identified.is_empty() && of.tests.is_empty())
     }
 
     /// Returns the identified value of a parameter, or `None` if the fit did not identify it. Without a fit, this is the value in the file.
     pub fn identified_value(&self, row: &Row, entry: usize) -> Option<f64> {
         let p = row.parameter;
         let place = matches!(p.shape, Shape::List(_)).then_some(entry);
-        let by_hand = self.identification.intervals.is_empty();
+        let by_hand = !self.is_of_a_fit();
         let value = self.identified.get(row).get(entry).or(p.default.first()).copied();
         value.filter(|_| !self.is_loose(p.name, place) && (by_hand || self.interval(p.name, entry).is_some()))
     }
 
     /// Returns the 95 % interval of a parameter from the fit, if there is one.
     pub fn interval(&self, name: &str, entry: usize) -> Option<[f64; 2]> {
-        match self.identification.intervals.get(name)? {
+        match self.shown_identification().intervals.get(name)? {
             Interval::Number(ends) => Some(*ends),
             Interval::List(all) => all.get(entry).copied(),
         }
@@ -454,6 +472,25 @@ mod tests {
         assert!(tuned.contains("at current = 0.5 A") && !tuned.contains("setting = ["), "{tuned}");
         model.reset();
         assert!(model.move_to(1.0) && gas(&model) == 100.0);
+    }
+
+    #[test]
+    fn intervals_and_open_numbers_are_those_of_the_setting_on_screen() {
+        let text = "format = 1\nelements = [\"fv_curve\", \"coulomb_friction\", \"gas_preload\"]\nsetting = [0.0, 1.0, 2.0]\n\
+                    gas_force = 100.0\ncoulomb_force = [20.0, 60.0, 100.0]\n\n[identification]\nnot_identified = [\"coulomb_force@1\"]\n\n\
+                    [identification.intervals_over_setting]\ncoulomb_force = [\n    [15.0, 25.0],\n    [60.0, 60.0],\n    [90.0, 110.0],\n]\n";
+        let mut model = Tuned::identified(text.to_owned()).unwrap();
+        let (friction, gas) = (*number!("coulomb_force").row(), *number!("gas_force").row());
+        assert!(model.is_of_a_fit());
+        assert_eq!(model.interval("coulomb_force", 0), Some([15.0, 25.0]));
+        assert_eq!(model.identified_value(&friction, 0), Some(20.0));
+        // No interval of this file applies to all settings, and still a fit made it: a number without an interval is not identified.
+        assert_eq!(model.identified_value(&gas, 0), None);
+        assert!(model.move_to(1.0) && model.is_loose("coulomb_force", None));
+        assert_eq!((model.interval("coulomb_force", 0), model.identified_value(&friction, 0)), (None, None));
+        assert!(model.move_to(2.0) && !model.is_loose("coulomb_force", None));
+        assert_eq!(model.identified_value(&friction, 0), Some(100.0));
+        assert!(!tuned().is_of_a_fit());
     }
 
     #[test]

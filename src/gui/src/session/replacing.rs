@@ -109,15 +109,20 @@ impl Session {
 
     /// Replaces the model on screen. Undo restores the previous model.
     pub(super) fn take_model(&mut self, model: Tuned) {
-        if let Some(mut before) = self.model.take() {
-            before.forget_future();
-            self.others.past.push(before);
-            if self.others.past.len() > DEPTH {
-                self.others.past.remove(0);
-            }
+        if let Some(before) = self.model.take() {
+            self.keep(before);
         }
         self.others.future.clear();
         self.show_model(model);
+    }
+
+    /// Keeps a model for undo, without its redo steps.
+    pub(super) fn keep(&mut self, mut before: Tuned) {
+        before.forget_future();
+        self.others.past.push(before);
+        if self.others.past.len() > DEPTH {
+            self.others.past.remove(0);
+        }
     }
 
     /// Discards the models that redo would restore, after another change.

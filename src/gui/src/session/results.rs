@@ -24,6 +24,8 @@ pub struct Basis {
     own_settings: bool,
     /// Number of times that records were read before the result.
     read: u64,
+    /// Number of times that a reference was read before the result; `None` without a reference, or if the result does not depend on it.
+    reference: Option<u64>,
     unticked: BTreeSet<usize>,
 }
 
@@ -100,10 +102,10 @@ impl Session {
         let dampers = self.dampers()?;
         let ticked: Vec<&Record> = self.ticked().into_iter().filter_map(|k| self.record(k)).collect();
         let counts = model.is_tuned() || dampers.uses_shown(&ticked);
-        Some(Basis { params: basis.params.filter(|_| counts), ..basis })
+        Some(Basis { params: basis.params.filter(|_| counts), reference: None, ..basis })
     }
 
-    /// Returns the basis of a diagnosis at present: the damper on screen and the tests at its setting.
+    /// Returns the basis of a diagnosis at present: the damper on screen, the tests at its setting and the reference.
     pub fn basis_of_diagnosis(&self) -> Option<Basis> {
         let model = self.model.as_ref()?;
         Some(Basis {
@@ -111,6 +113,7 @@ impl Session {
             damper: model.definition().copied(),
             own_settings: self.own_settings && model.over_setting().is_some(),
             read: self.read,
+            reference: self.reference.as_ref().map(|_| self.read_reference),
             unticked: self.unticked.clone(),
         })
     }
@@ -121,6 +124,6 @@ impl Session {
         let basis = self.basis_of_diagnosis()?;
         let model = self.model.as_ref()?;
         let counts = model.is_tuned() || model.over_setting().is_none();
-        Some(Basis { params: basis.params.filter(|_| counts), own_settings: false, ..basis })
+        Some(Basis { params: basis.params.filter(|_| counts), own_settings: false, reference: None, ..basis })
     }
 }

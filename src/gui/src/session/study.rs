@@ -1,5 +1,6 @@
 //! Study of one parameter: loops of one test for several values, with the gap and the area of each loop.
 
+use crate::session::Session;
 use crate::session::campaign::Loaded;
 use crate::session::simulation::OfTest;
 use dashpot_core::parameter::Number;
@@ -42,6 +43,8 @@ pub struct Member {
 pub struct Study {
     /// Input of the study.
     pub question: Question,
+    /// Values of the damper before the variation.
+    params: Params,
     /// Results for the valid values, in the order of the values.
     pub members: Vec<Member>,
     /// Area, J, and gap, N, of the measured cycle, defined as in [`Member`].
@@ -73,7 +76,18 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
             Some(Member { value: value(k), force, area, gap })
         })
         .collect();
-    Some(Study { question: question.clone(), members, measured: figures(&cycle.force[..n]) })
+    Some(Study { question: question.clone(), params: *params, members, measured: figures(&cycle.force[..n]) })
+}
+
+impl Study {
+    /// Returns whether the damper of the test has changed since the study. The varied parameter itself does not matter.
+    pub fn is_old(&self, session: &Session) -> bool {
+        let without = |mut params: Params| {
+            let _ = params.set(self.question.number, self.params.number(self.question.number));
+            params
+        };
+        session.params_of_study(self.question.test).map(without) != Some(self.params)
+    }
 }
 
 /// Computes the area inside a closed loop, ∮ F dx. For `x` in m and the force F in N, this is the work of one cycle, J.

@@ -4,6 +4,7 @@ use crate::session::Session;
 use crate::session::results::{Diagnosed, Fitted};
 use crate::session::study::{Question, study};
 use crate::session::tasks::{Kind, Outcome};
+use dashpot_core::Params;
 use dashpot_diagnosis::{Options as DiagnosisOptions, choose_left_out, diagnose};
 use dashpot_identification::family::fit_family;
 use dashpot_identification::model_file;
@@ -96,12 +97,17 @@ impl Session {
     /// Computes the loops of one test for several values of a parameter. The damper has the test's own setting. If the test states no
     /// setting, or if its setting changes, the damper has the other parameter values on screen.
     pub fn study(&mut self, question: Question) {
-        let (Some(loaded), Some(dampers)) = (self.campaign.clone(), self.dampers()) else { return };
-        let own = self.record(question.test).and_then(|record| dampers.params_of(record));
-        let Some(params) = own.or_else(|| Some(*self.model.as_ref()?.params())) else { return };
+        let (Some(loaded), Some(params)) = (self.campaign.clone(), self.params_of_study(question.test)) else { return };
         self.begin(Kind::Study, move |_| {
             study(&question, &params, &loaded).map(Outcome::Studied).ok_or_else(|| Sentence::as_it_is(question.number))
         });
+    }
+
+    /// Returns the values of the damper that a study of a test varies, or `None` without a model.
+    pub(super) fn params_of_study(&self, test: usize) -> Option<Params> {
+        let dampers = self.dampers()?;
+        let own = self.record(test).and_then(|record| dampers.params_of(record));
+        own.or_else(|| Some(*self.model.as_ref()?.params()))
     }
 
     /// Returns the improved model of the last diagnosis as the text of a model file, or `None` without a diagnosis.

@@ -1,7 +1,7 @@
 //! Synthetic records of a damper from the kernel, and a window without a screen.
 
 use crate::app::App;
-use crate::dialogs::Message;
+use crate::dialogs::{Dialogs, Message};
 use crate::session::recent::Recent;
 use dashpot_core::number;
 use dashpot_core::step::step;
@@ -46,9 +46,13 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
         };
         let mut state = model.steady_state(&input(0));
         let mut text = String::from("time_s,displacement_mm,velocity_mps,force_N\n");
-        for i in 0..3 * SAMPLES {
+        // The first sample is not recorded. Its force is that of a constant velocity, and a reader would report a spike.
+        for i in 0..3 * SAMPLES + 1 {
             let (next, output) = step(&model, &state, &input(i), dt);
             state = next;
+            if i == 0 {
+                continue;
+            }
             let (x, v) = at(i);
             // The noise is deterministic and below one millinewton.
             let noise = 1e-3 * ((i * 7919 + k * 104_729) % 1000) as f64 / 1000.0;
@@ -104,8 +108,13 @@ pub fn model(folder: &Path) -> PathBuf {
 
 /// Makes a window of 1280 by 800 points without a screen. Its dialogs return these paths, in order.
 pub fn window(answers: Vec<Vec<PathBuf>>) -> Harness<'static, App> {
+    window_with(Box::new(Message::naming(answers)))
+}
+
+/// Makes a window of 1280 by 800 points without a screen, with these dialogs.
+pub fn window_with(dialogs: Box<dyn Dialogs>) -> Harness<'static, App> {
     Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
-        let mut app = App::with_recent(&creation.egui_ctx, Box::new(Message::naming(answers)), Recent::read(None));
+        let mut app = App::with_recent(&creation.egui_ctx, dialogs, Recent::read(None));
         app.view.language = crate::words::Language::English;
         app
     })

@@ -122,12 +122,107 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     harness.state_mut().session.unticked.insert(0);
     harness.step();
     assert!(says(&harness, old));
+    harness.state_mut().session.unticked.clear();
+    harness.step();
+    assert!(!says(&harness, old));
+    // A validation of values that were tuned while it ran is out of date when it arrives.
+    harness.key_press(Key::F6);
+    harness.step();
+    harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 78.0));
+    harness.state_mut().session.results.validation = None;
+    until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
+    assert_eq!(harness.query_all(by().label(old)).count(), 2, "fit and validation");
+    press(&mut harness, "Undo");
+    assert!(!says(&harness, old));
+    // An undo of the fit leaves a model that the fit did not find. Without an earlier model there is no undo, so another model comes first.
+    let other = tempfile::tempdir().unwrap();
+    harness.state_mut().session.replace(Replacement::File(made_up::model(other.path())));
+    harness.step();
+    assert_eq!(harness.query_all(by().label(old)).count(), 2, "both are of the model before");
+    press(&mut harness, "Undo");
+    assert!(!says(&harness, old));
+    // Another campaign makes the fit out of date. The validation has no records any more, so it disappears.
+    campaign(other.path(), 6);
+    harness.state_mut().session.open(&[other.path().to_owned()]);
+    until(&mut harness, "the other records", |app| {
+        app.session.task.is_none() && app.session.campaign.as_ref().is_some_and(|c| c.tests.len() == 6)
+    });
+    harness.step();
+    assert_eq!(harness.query_all(by().label(old)).count(), 1);
+    assert!(harness.state().session.results.validation.is_none());
+}
+
+#[test]
+fn a_study_of_another_damper_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    press(&mut harness, "Study");
+    press(&mut harness, "Compute");
+    until(&mut harness, "the study", |app| app.session.study.is_some() && app.session.task.is_none());
+    let old = "⚠ Out of date: the model, the records or the ticked tests have changed since";
+    assert!(!says(&harness, old));
+    // The study varies this number itself, so its present value does not matter.
+    let varied = harness.state().session.study.as_ref().unwrap().question.number;
+    let value = params(&harness).number(varied);
+    harness.state_mut().session.tune(|m| m.set(varied.row(), 0, 1.3 * value));
+    harness.step();
+    assert!(!says(&harness, old) && harness.state().session.model.as_ref().unwrap().is_tuned());
+    harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 77.0));
+    harness.step();
+    assert!(says(&harness, old));
+    press(&mut harness, "Undo");
+    assert!(!says(&harness, old));
+}
+
+#[test]
+fn an_undo_behind_the_question_does_not_answer_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let other = tempfile::tempdir().unwrap();
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
+    let tuned = params(&harness);
+    harness.state_mut().session.replace(Replacement::File(made_up::model(other.path())));
+    harness.step();
+    harness.step();
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.step();
+    harness.step();
+    assert!(says(&harness, "Replace the model tuned by hand?"));
+    press(&mut harness, "Stay");
+    assert!(params(&harness) == tuned && harness.state().session.pending.is_none());
+    harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
+    harness.step();
+    assert!(params(&harness) != tuned, "without a question, the shortcut acts");
+}
+
+#[test]
+fn values_tuned_at_a_setting_are_not_lost_by_going_to_another() {
+    let folder = tempfile::tempdir().unwrap();
+    campaign(folder.path(), 6);
+    let models = tempfile::tempdir().unwrap();
+    let file = models.path().join("family.toml");
+    std::fs::write(&file, FAMILY).unwrap();
+    let mut harness = window(vec![]);
+    harness.state_mut().session.open(&[folder.path().to_owned(), file]);
+    until(&mut harness, "forces of all tests", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 123.0));
+    let tuned = params(&harness);
+    // A reset frees the slider, and the reset can be undone.
+    press(&mut harness, "Reset");
+    for setting in [0.25, 0.5, 0.75] {
+        harness.state_mut().session.move_to(setting);
+    }
+    harness.step();
+    press(&mut harness, "Undo");
+    let at = |harness: &Harness<'_, App>| harness.state().session.model.as_ref().unwrap().over_setting().unwrap().1;
+    assert_eq!(at(&harness), 0.0, "back at the setting of the tuned values");
+    press(&mut harness, "Undo");
+    assert!(params(&harness) == tuned);
 }
 
 #[test]
 fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
     use crate::dialogs::Message;
-    use crate::session::recent::Recent;
     let folder = tempfile::tempdir().unwrap();
     campaign(folder.path(), 6);
     let models = folder.path().join("models");
@@ -135,14 +230,7 @@ fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
     let file = model(&models);
     let began = std::rc::Rc::<std::cell::RefCell<Vec<Option<PathBuf>>>>::default();
     let asked = std::rc::Rc::clone(&began);
-    let mut harness =
-        Harness::builder().with_size(egui::vec2(1280.0, 800.0)).allow_missing_glyphs().build_eframe(move |creation| {
-            let mut dialogs = Message::default();
-            (dialogs.began, dialogs.without) = (asked, true);
-            let mut app = App::with_recent(&creation.egui_ctx, Box::new(dialogs), Recent::read(None));
-            app.view.language = Language::English;
-            app
-        });
+    let mut harness = made_up::window_with(Box::new(Message::without_dialogs(asked)));
     harness.state_mut().session.open(&[folder.path().to_owned(), file]);
     until(&mut harness, "forces", |app| app.session.simulated.is_some());
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
@@ -174,12 +262,19 @@ fn without_dialogs_of_the_system_a_path_is_chosen_in_the_window() {
 }
 
 #[test]
-fn tabs_stand_still_and_no_letter_is_smaller_than_eleven() {
+fn tabs_stand_still() {
     let folder = tempfile::tempdir().unwrap();
-    let mut harness = opened(folder.path(), 6, vec![]);
+    let mut harness = opened(folder.path(), 12, vec![]);
     let places = |harness: &Harness<'_, App>, language: Language| {
         let w = crate::words::texts(language);
-        [w.tune, w.result, w.records, w.study].map(|text| widget(harness, Role::Button, text).rect())
+        let of_side = [w.tune, w.result, w.records, w.study];
+        let of_corner = [w.error_matrix, w.force_time, w.gas_and_drag, w.tables];
+        of_side.into_iter().chain(of_corner).map(|text| widget(harness, Role::Button, text).rect()).collect::<Vec<_>>()
+    };
+    let stand = |first: &[egui::Rect], now: &[egui::Rect], case: &str| {
+        for (a, b) in first.iter().zip(now) {
+            assert!((a.min - b.min).length() < 0.6 && (a.max - b.max).length() < 0.6, "{case}: {a} {b}");
+        }
     };
     for (_, language) in Language::ALL {
         harness.state_mut().view.language = language;
@@ -187,20 +282,29 @@ fn tabs_stand_still_and_no_letter_is_smaller_than_eleven() {
         harness.step();
         let first = places(&harness, language);
         let w = crate::words::texts(language);
-        for side in [w.tune, w.result, w.records, w.study] {
-            press(&mut harness, side);
+        let sides = [w.tune, w.result, w.records, w.study];
+        for tab in sides.into_iter().chain([w.force_time, w.gas_and_drag, w.tables, w.error_matrix]) {
+            press(&mut harness, tab);
             harness.step();
-            for (a, b) in first.iter().zip(places(&harness, language)) {
-                assert!(
-                    (a.left() - b.left()).abs() < 0.6 && (a.right() - b.right()).abs() < 0.6,
-                    "{language:?} {side}: {a} {b}"
-                );
-            }
+            stand(&first, &places(&harness, language), &format!("{language:?} {tab}"));
         }
     }
-    for (style, font) in &harness.ctx.global_style().text_styles {
-        assert!(font.size >= 11.0, "{style:?}");
-    }
+    // Results, tuning and a study do not move the tabs either.
+    let language = Language::English;
+    harness.state_mut().view.language = language;
+    harness.run_steps(2);
+    let first = places(&harness, language);
+    harness.key_press(Key::F5);
+    fitted(&mut harness);
+    harness.run_steps(2);
+    stand(&first, &places(&harness, language), "a fit");
+    harness.key_press(Key::F6);
+    until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
+    stand(&first, &places(&harness, language), "a validation");
+    press(&mut harness, "Tune");
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
+    until(&mut harness, "forces of both models", |app| app.session.identified.is_some());
+    stand(&first, &places(&harness, language), "a tuned model");
 }
 
 #[test]

@@ -14,6 +14,9 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
     let mut harness = opened(folder.path(), 12, vec![]);
     harness.key_press(Key::F7);
     until(&mut harness, "the diagnosis", |app| app.session.results.diagnosis.is_some());
+    // The validation is of the model before the fit. Its table remains, with the mark of an old result.
+    harness.key_press(Key::F6);
+    until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
     harness.key_press(Key::F5);
     until(&mut harness, "the fit", |app| app.session.results.fit.is_some() && app.session.task.is_none());
     for (_, language) in Language::ALL {
@@ -30,13 +33,26 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
                 assert!(cut.is_empty(), "{language:?}, {side}: {cut:#?}");
             }
         }
+        // The rows of the validation are in the language of the window.
+        press(&mut harness, words.result);
+        let row = format!("{} {} mm", words.amplitude, language.words().number("40.0"));
+        assert!(says(&harness, &row), "{language:?}: {row}");
         // A drop-down list truncates texts that are wider than the list, so these texts must be short.
         for word in [words.from_data, words.as_file_says] {
             assert!(word.chars().count() <= 18, "{language:?}: {word}");
         }
-        // The cells of the error matrix end before the panel on the right-hand side.
-        let cut = cut_off(&harness, Role::Button, (280.0, panel));
+        // The cells of the error matrix end before the margin of the plots.
+        let cut = cut_off(&harness, Role::Button, (280.0, panel - 8.0));
         assert!(cut.is_empty(), "{language:?}: {cut:#?}");
+        // So do the buttons of the tables, and every column of the forces at given velocities.
+        press(&mut harness, words.tables);
+        harness.step();
+        let cut = cut_off(&harness, Role::Button, (280.0, panel - 8.0));
+        assert!(cut.is_empty(), "{language:?}: {cut:#?}");
+        let headings = harness.query_all(by().role(Role::Label).label_contains(words.closing_speed));
+        let ends: Vec<f32> = headings.map(|heading| heading.rect().right()).collect();
+        assert!(ends.len() == 2 && ends.iter().all(|end| *end <= panel - 7.0), "{language:?}: {ends:?} of {panel}");
+        press(&mut harness, words.error_matrix);
         press(&mut harness, words.tune);
         harness.step();
         let table = language.words().choice("table").into_owned();

@@ -50,6 +50,15 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     assert!(says(&harness, words.changed) && says(&harness, &headline), "{headline}");
     let line = format!("{}  {before} → ", EN.named("gas_force"));
     assert!(harness.query_all(by().label_contains(&line)).next().is_some(), "{line}");
+    // Without the reference, the comparison is of another question.
+    let old = format!("⚠ {}", words.old_result);
+    assert!(!says(&harness, &old));
+    let reference = harness.state_mut().session.reference.take();
+    harness.step();
+    assert!(reference.is_some() && says(&harness, &old));
+    harness.state_mut().session.reference = reference;
+    harness.step();
+    assert!(!says(&harness, &old));
     // The report also shows the change against the reference, and lists the files of both dampers.
     widget(&harness, Role::Button, words.write_report).scroll_to_me();
     harness.step();

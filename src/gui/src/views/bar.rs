@@ -29,8 +29,11 @@ pub fn save(session: &mut Session, view: &mut View) {
     }
 }
 
-/// Handles the keyboard shortcuts.
+/// Handles the keyboard shortcuts. While a question is open, they have no effect, because an undo behind the question would answer it.
 pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
+    if session.pending.is_some() || view.closing || view.choosing.is_some() {
+        return;
+    }
     let pressed = |keys: &KeyboardShortcut| ui.ctx().input_mut(|i| i.consume_shortcut(keys));
     if pressed(&OPEN) {
         view.asks.push(Ask::Folder);

@@ -119,7 +119,7 @@ fn make(session: &Session, effect: Option<(Element, f64)>, units: Units, words: 
             line(
                 whose,
                 place,
-                format!("{} · {}{at}", record.name, named(whose, words)),
+                format!("{} · {}{at}", record.name, named(whose, session, words)),
                 record,
                 seen,
                 (force, stride),
@@ -182,12 +182,18 @@ fn at_setting(session: &Session, record: &Record, words: &Words) -> String {
     }
 }
 
+/// Returns the displayed name of the model before it was tuned. Only a fit makes an identified model.
+pub fn identified_name(session: &Session, words: &Words) -> &'static str {
+    let is_of_a_fit = session.model.as_ref().is_none_or(crate::session::model::Tuned::is_of_a_fit);
+    if is_of_a_fit { words.identified_model } else { words.opened_model }
+}
+
 /// Returns the displayed name of a source.
-pub fn named(whose: Whose, words: &Words) -> &'static str {
+pub fn named(whose: Whose, session: &Session, words: &Words) -> &'static str {
     match whose {
         Whose::Measured => words.measured,
         Whose::Reference => words.reference,
-        Whose::Identified => words.identified_model,
+        Whose::Identified => identified_name(session, words),
         Whose::Model => words.model,
         Whose::Effect => words.with_effect,
     }

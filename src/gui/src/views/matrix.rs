@@ -7,6 +7,16 @@ use crate::words::Words;
 use dashpot_report::plot::palette::heat;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 
+/// Space between two cells, px.
+const SPACE: f32 = 2.0;
+/// Space on either side of a heading, px. Without it, the headings of neighboring columns touch.
+const PAD: f32 = 2.0;
+
+/// Draws the heading of a row or column.
+fn heading(ui: &mut Ui, text: RichText) {
+    egui::Frame::new().inner_margin(egui::Margin::symmetric(PAD as i8, 0)).show(ui, |ui| ui.label(text));
+}
+
 /// Draws the error matrix.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
@@ -27,26 +37,27 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let of: Vec<f64> = tests.iter().filter_map(|k| Some(simulated.as_ref()?.tests.get(*k)?.percent)).collect();
         (!of.is_empty()).then(|| of.iter().sum::<f64>() / of.len() as f64)
     };
+    let (length, velocity) = (view.units.length(), view.units.velocity());
+    let (of, across) = match view.across {
+        Across::Velocity => (format!("{} \\ {}", length.symbol, velocity.symbol), velocity.factor),
+        Across::Frequency => (format!("{} \\ Hz", length.symbol), 1.0),
+    };
     let columns = grid.columns.len().max(1) as f32;
-    // The column of the amplitudes is as wide as the other columns.
-    let width = (ui.available_width() / (columns + 1.0) - 2.0).clamp(30.0, 64.0);
+    let font = egui::TextStyle::Small.resolve(ui.style());
+    let first = ui.painter().layout_no_wrap(of.clone(), font, Color32::WHITE).size().x + 2.0 * PAD;
+    let width = ((ui.available_width() - first) / columns - SPACE).clamp(30.0, 64.0);
     let mut chosen: Option<Vec<usize>> = None;
     egui::ScrollArea::both().id_salt("matrix").auto_shrink([false, false]).show(ui, |ui| {
         // Wider buttons would not fit into a window of 1280 px.
         ui.spacing_mut().button_padding.x = 1.0;
-        egui::Grid::new("matrix").spacing([2.0, 2.0]).min_col_width(width).show(ui, |ui| {
-            let (length, velocity) = (view.units.length(), view.units.velocity());
-            let (of, across) = match view.across {
-                Across::Velocity => (format!("{} \\ {}", length.symbol, velocity.symbol), velocity.factor),
-                Across::Frequency => (format!("{} \\ Hz", length.symbol), 1.0),
-            };
-            ui.label(RichText::new(of).small().weak());
+        egui::Grid::new("matrix").spacing([SPACE, 2.0]).min_col_width(30.0).show(ui, |ui| {
+            heading(ui, RichText::new(of).small().weak());
             for column in &grid.columns {
-                ui.label(RichText::new(short(across * column, w)).small());
+                heading(ui, RichText::new(short(across * column, w)).small());
             }
             ui.end_row();
             for (r, amplitude) in grid.rows.iter().enumerate().rev() {
-                ui.label(RichText::new(short(length.factor * amplitude, w)).small());
+                heading(ui, RichText::new(short(length.factor * amplitude, w)).small());
                 for c in 0..grid.columns.len() {
                     let tests = grid.cell(r, c);
                     if tests.is_empty() {

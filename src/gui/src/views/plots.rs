@@ -5,7 +5,7 @@ use crate::session::outputs::table;
 use crate::session::{Session, model};
 use crate::units::Shown;
 use crate::views::grid;
-use crate::views::lines::{Line as Drawn, Whose, named};
+use crate::views::lines::{Line as Drawn, Whose, identified_name, named};
 use crate::views::{View, hue};
 use crate::words::Words;
 use dashpot_core::{Model, Params, element, list, number};
@@ -148,45 +148,72 @@ fn look(ui: &Ui, line: &Drawn) -> (Color32, f32) {
     }
 }
 
-/// Largest number of legend entries. A tooltip lists further entries.
+/// Largest number of entries in the legend of loops, because a name of a test may fill half a line.
 const ENTRIES: usize = 6;
+/// Largest number of entries in the legend of peak forces, whose curves have the short names of settings.
+const CURVES: usize = 12;
 
-/// Draws a legend above a plot. Every entry begins with a piece of the line.
-fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)]) {
+/// Largest number of marks of entries without a name. The hues of tests repeat after so many.
+const MARKS: usize = 8;
+
+/// Draws a piece of a line as the mark of a legend entry.
+fn mark(ui: &Ui, rect: Rect, length: f32, colour: Color32, dashed: bool) {
+    let ends = [rect.left_center(), rect.left_center() + egui::vec2(length, 0.0)];
+    let stroke = egui::Stroke::new(2.0, colour);
+    if dashed {
+        ui.painter().extend(egui::Shape::dashed_line(&ends, stroke, 4.0, 2.5));
+    } else {
+        ui.painter().line_segment(ends, stroke);
+    }
+}
+
+/// Draws a legend above a plot. Every entry begins with a piece of the line. At most `most` entries show their names, further ones only
+/// their marks, and a tooltip lists their names.
+fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)], most: usize) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
-        for (colour, dashed, name) in entries.iter().take(ENTRIES) {
-            let galley = ui.painter().layout_no_wrap(
-                name.clone(),
-                egui::FontId::proportional(LETTERS),
-                ui.visuals().text_color(),
-            );
+        let ink = ui.visuals().text_color();
+        for (colour, dashed, name) in entries.iter().take(most) {
+            let galley = ui.painter().layout_no_wrap(name.clone(), egui::FontId::proportional(LETTERS), ink);
             // One allocation prevents a line break between the mark and its name.
-            let (rect, _) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
-            let ends = [rect.left_center(), rect.left_center() + egui::vec2(16.0, 0.0)];
-            let stroke = egui::Stroke::new(2.0, *colour);
-            if *dashed {
-                ui.painter().extend(egui::Shape::dashed_line(&ends, stroke, 4.0, 2.5));
-            } else {
-                ui.painter().line_segment(ends, stroke);
-            }
-            ui.painter().galley(rect.left_top() + egui::vec2(20.0, 1.0), galley, ui.visuals().text_color());
+            let (rect, entry) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
+            entry.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, name));
+            mark(ui, rect, 16.0, *colour, *dashed);
+            ui.painter().galley(rect.left_top() + egui::vec2(20.0, 1.0), galley, ink);
         }
-        if entries.len() > ENTRIES {
-            let rest: Vec<&str> = entries[ENTRIES..].iter().map(|entry| entry.2.as_str()).collect();
-            ui.label(RichText::new(format!("+{}", rest.len())).size(LETTERS)).on_hover_text(rest.join("\n"));
+        let Some(rest) = entries.get(most..).filter(|rest| !rest.is_empty()) else { return };
+        for (colour, dashed, name) in rest.iter().take(MARKS) {
+            let (rect, entry) = ui.allocate_exact_size(egui::vec2(12.0, LETTERS + 4.0), egui::Sense::hover());
+            entry.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, name));
+            mark(ui, rect, 10.0, *colour, *dashed);
+            entry.on_hover_text(name);
         }
+        let names: Vec<&str> = rest.iter().map(|entry| entry.2.as_str()).collect();
+        ui.label(RichText::new(format!("+{}", rest.len())).size(LETTERS)).on_hover_text(names.join("\n"));
     });
 }
 
-/// Returns the legend of the loop plots: every kind of model once, and every measured test in its hue.
-fn entries(ui: &Ui, session: &Session, lines: &[Drawn], words: &Words) -> Vec<(Color32, bool, String)> {
+/// Returns the legend of the loop plots: every kind of drawn model once, and every measured test in its hue.
+///
+/// `dashes_reference` says whether the lines of the reference are dashed. Otherwise dashes have another meaning, and the reference has the
+/// dimmed hues of its tests.
+fn entries(
+    ui: &Ui,
+    session: &Session,
+    lines: &[Drawn],
+    is_drawn: impl Fn(&Drawn) -> bool,
+    dashes_reference: bool,
+    words: &Words,
+) -> Vec<(Color32, bool, String)> {
     let mut kinds: Vec<(Color32, bool, String)> = Vec::new();
     for whose in [Whose::Model, Whose::Identified, Whose::Effect, Whose::Reference] {
-        if let Some(line) = lines.iter().find(|l| l.whose == whose) {
-            let is_reference = whose == Whose::Reference;
-            let colour = if is_reference { ui.visuals().text_color() } else { look(ui, line).0 };
-            kinds.push((colour, is_reference, named(whose, words).to_owned()));
+        if let Some(line) = lines.iter().find(|l| l.whose == whose && is_drawn(l)) {
+            let colour = match whose {
+                Whose::Reference if dashes_reference => ui.visuals().text_color(),
+                _ => look(ui, line).0,
+            };
+            let is_dashed = whose == Whose::Reference && dashes_reference;
+            kinds.push((colour, is_dashed, named(whose, session, words).to_owned()));
         }
     }
     let tests = session.selected.iter().enumerate();
@@ -238,8 +265,8 @@ pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
         let plain = |line: &Drawn| of(line).iter().map(|p| [p.x, p.y]).collect();
         lines.iter().map(|l| (role(l.whose), l.name.clone(), plain(l))).collect()
     });
-    let entries = entries(ui, session, &lines, words);
-    legend(ui, &entries);
+    let entries = entries(ui, session, &lines, |line| !points_of(line, which).is_empty(), true, words);
+    legend(ui, &entries, ENTRIES);
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
     let response = plot(id, &axes, which != Which::Temperature, words).show(ui, |plot| {
         for (line, look) in lines.iter().zip(&looks) {
@@ -267,9 +294,9 @@ pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
         lines.iter().flat_map(of).collect()
     });
     let weak = ui.visuals().text_color();
-    let mut entries = entries(ui, session, &lines, words);
+    let mut entries = entries(ui, session, &lines, |line| !line.gas.is_empty(), false, words);
     entries.splice(0..0, [(weak, false, words.both_ways.to_owned()), (weak, true, words.drag.to_owned())]);
-    legend(ui, &entries);
+    legend(ui, &entries, ENTRIES);
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
     let response = plot("gas", &axes, false, words).show(ui, |plot| {
         for (line, (colour, width)) in lines.iter().zip(looks) {
@@ -298,8 +325,23 @@ fn points_of(line: &Drawn, which: Which) -> &[PlotPoint] {
 fn summary(session: &Session, words: &Words) -> String {
     let names: Vec<&str> =
         session.selected.iter().filter_map(|k| session.record(*k)).map(|r| r.name.as_str()).collect();
-    let model = if session.model.is_some() { named(Whose::Model, words) } else { "" };
+    let model = if session.model.is_some() { words.model } else { "" };
     format!("{} {model}", names.join(", "))
+}
+
+/// Curve of the damper at a test's own setting.
+struct OwnCurve {
+    /// The setting with its unit.
+    setting: String,
+    colour: Color32,
+    /// Velocities and forces in the selected units.
+    points: Vec<[f64; 2]>,
+}
+
+/// Returns the color of a setting, from blue at 0 to vermilion at 1. Color-blind readers can distinguish the two, which are of the palette
+/// of Okabe & Ito.
+fn blend(part: f32) -> Color32 {
+    Color32::from_rgb(86, 180, 233).lerp_to_gamma(Color32::from_rgb(213, 94, 0), part)
 }
 
 /// Draws peak force over peak velocity for tests and model, and the draggable points of the curve. The model is at constant velocity, as in
@@ -318,23 +360,28 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     // If tests have their own settings, each of these settings has a curve.
     let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
     let own = session.dampers().map_or_else(Vec::new, |dampers| dampers.settings(&loaded.campaign.records));
-    let own: Vec<(String, Vec<[f64; 2]>)> = own
+    let count = own.len();
+    let own: Vec<OwnCurve> = own
         .iter()
-        .map(|(setting, params)| {
-            let at = format!("{} {unit}", words.typed(*setting));
-            (format!("{} ({})", words.steady_force, at.trim_end()), curve(params))
+        .enumerate()
+        .map(|(k, (setting, params))| OwnCurve {
+            setting: format!("{} {unit}", words.typed(*setting)).trim_end().to_owned(),
+            colour: blend(k as f32 / (count.max(2) - 1) as f32),
+            points: curve(params),
         })
         .collect();
+    let name_of_own = |of: &OwnCurve| format!("{} ({})", words.steady_force, of.setting);
+    let before = identified_name(session, words);
     let is_there = |p: &[f64; 2]| p[0].is_finite() && p[1].is_finite();
     let measured: Vec<[f64; 2]> = loaded.tests.iter().flat_map(|t| t.peaks).filter(is_there).map(shown).collect();
     let top = ui.cursor().min;
     heading(ui, view, words.peaks, &axes, || {
         let mut lines = vec![(Role::Measured, words.measured.to_owned(), measured.clone())];
-        let curves = [(&now, Role::Model, words.steady_force), (&identified, Role::Before, words.identified_model)];
+        let curves = [(&now, Role::Model, words.steady_force), (&identified, Role::Before, before)];
         for (curve, role, name) in curves {
             lines.extend(curve.as_ref().map(|c| (role, name.to_owned(), c.clone())));
         }
-        lines.extend(own.iter().map(|(name, curve)| (Role::Model, name.clone(), curve.clone())));
+        lines.extend(own.iter().map(|of| (Role::Model, name_of_own(of), of.points.clone())));
         lines
     });
     let handles: Vec<(f64, f64)> = session.model.as_ref().map_or_else(Vec::new, |m| handles(m.params()));
@@ -346,12 +393,13 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         entries.push((ink, false, words.steady_force.to_owned()));
     }
     if identified.is_some() {
-        entries.push((weak, false, words.identified_model.to_owned()));
+        entries.push((weak, false, before.to_owned()));
     }
     if !handles.is_empty() {
         entries.push((ink, true, words.fv_points.to_owned()));
     }
-    legend(ui, &entries);
+    entries.extend(own.iter().map(|of| (of.colour, false, of.setting.clone())));
+    legend(ui, &entries, CURVES);
     let grabbed = view.grabbed;
     let selected: Vec<(usize, [f64; 2])> = session
         .selected
@@ -369,12 +417,12 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
         for (place, peak) in &selected {
             plot.points(Points::new(words.measured, PlotPoints::from(vec![*peak])).radius(4.0).color(hue(*place)));
         }
-        for (name, curve) in &own {
-            let line = Line::new(name.clone(), PlotPoints::from(curve.clone()));
-            plot.line(line.color(ink.gamma_multiply(0.5)).width(1.0));
+        for of in &own {
+            let line = Line::new(name_of_own(of), PlotPoints::from(of.points.clone()));
+            plot.line(line.color(of.colour).width(1.2));
         }
         if let Some(curve) = &identified {
-            plot.line(Line::new(words.identified_model, PlotPoints::from(curve.clone())).color(weak).width(1.0));
+            plot.line(Line::new(before, PlotPoints::from(curve.clone())).color(weak).width(1.0));
         }
         if let Some(curve) = &now {
             plot.line(Line::new(words.steady_force, PlotPoints::from(curve.clone())).color(ink).width(1.5));

@@ -4,6 +4,7 @@ use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::papers::Paper;
 use crate::session::replacing::Replacement;
+use crate::units::Units;
 use crate::views::{View, setting_name, translate_name};
 use crate::words::{Language, Words, texts};
 use dashpot_diagnosis::{Diagnosis, InventoryItem};
@@ -13,7 +14,7 @@ use dashpot_identification::{Fit, Standing};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
 use dashpot_report::inventory::{probability, status_text};
-use dashpot_report::numbers::{error, fraction, with_interval, with_unit};
+use dashpot_report::numbers::{digits, error, fraction, with_interval, with_unit};
 use dashpot_report::parameters::assumed_of;
 use dashpot_report::quality;
 use eframe::egui::{self, RichText, Ui};
@@ -49,7 +50,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             let old = answer.is_old(session);
             heading(ui, w.validation_result, old, w);
             let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit()));
-            validation(ui, &answer.found, unit.unwrap_or_default(), w);
+            validation(ui, &answer.found, unit.unwrap_or_default(), view.units, w);
             let offered = [(w.write_report, Paper::ValidationReport), (w.save_tables, Paper::ValidationTables)];
             ui.horizontal_wrapped(|ui| papers(ui, free && !old, view, &offered));
             ui.separator();
@@ -79,9 +80,14 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
 fn heading(ui: &mut Ui, title: &str, old: bool, w: &Words) {
     ui.heading(title);
     if old {
-        let text = RichText::new(format!("⚠ {}", w.old_result)).color(ui.visuals().warn_fg_color);
-        ui.add(egui::Label::new(text).wrap());
+        out_of_date(ui, w);
     }
+}
+
+/// Draws the mark of a result that does not belong to the data on screen.
+pub fn out_of_date(ui: &mut Ui, w: &Words) {
+    let text = RichText::new(format!("⚠ {}", w.old_result)).color(ui.visuals().warn_fg_color);
+    ui.add(egui::Label::new(text).wrap());
 }
 
 /// Draws the buttons that write reports or workbooks of a result.
@@ -191,14 +197,22 @@ fn inventory(ui: &mut Ui, items: &[InventoryItem], status: bool, language: Langu
     }
 }
 
-fn validation(ui: &mut Ui, found: &Validation, unit: &str, w: &Words) {
+/// Draws the errors of a validation. `setting_unit` is the unit of the setting of an adjustable damper.
+fn validation(ui: &mut Ui, found: &Validation, setting_unit: &str, units: Units, w: &Words) {
+    /// Width of a column of figures with its heading, px.
+    const FIGURES: f32 = 64.0;
+    let name_width = (ui.available_width() - 3.0 * FIGURES).max(80.0);
     egui::Grid::new("validation").num_columns(4).striped(true).show(ui, |ui| {
         for heading in ["", w.tests, w.model, w.fv_curve] {
-            ui.strong(heading);
+            ui.label(RichText::new(heading).small().strong());
         }
         ui.end_row();
         let mut row = |name: &str, tests: usize, e: &Errors| {
-            ui.label(name);
+            // A long name is wrapped, because it would push the figures out of the panel.
+            ui.scope(|ui| {
+                ui.set_max_width(name_width);
+                ui.add(egui::Label::new(name).wrap());
+            });
             ui.label(tests.to_string());
             ui.label(format!("{} %", w.fixed(e.model.error_percent, 2)))
                 .on_hover_text(format!("{} N", w.digits(e.model.mean_error_n)));
@@ -206,8 +220,15 @@ fn validation(ui: &mut Ui, found: &Validation, unit: &str, w: &Words) {
                 .on_hover_text(format!("{} N", w.digits(e.fv_only.mean_error_n)));
             ui.end_row();
         };
-        for r in found.matrix.by_amplitude.iter().chain(&found.matrix.slow).chain(&found.matrix.not_periodic) {
-            row(&r.label, r.tests, &r.errors);
+        let length = units.length();
+        for r in &found.matrix.by_amplitude {
+            let value = w.of.words().number(&digits(length.factor * r.value, 3));
+            row(&format!("{} {value} {}", w.amplitude, length.symbol), r.tests, &r.errors);
+        }
+        for (name, of) in [(w.slow_tests, &found.matrix.slow), (w.not_periodic, &found.matrix.not_periodic)] {
+            if let Some(r) = of {
+                row(name, r.tests, &r.errors);
+            }
         }
         for (name, summary) in [(w.used_in_fit, &found.used_in_fit), (w.left_out, &found.left_out)] {
             if let Some(s) = summary {
@@ -215,7 +236,7 @@ fn validation(ui: &mut Ui, found: &Validation, unit: &str, w: &Words) {
             }
         }
         for of in &found.settings {
-            row(format!("{} {unit}", w.typed(of.setting)).trim_end(), of.summary.tests, &of.summary.errors);
+            row(format!("{} {setting_unit}", w.typed(of.setting)).trim_end(), of.summary.tests, &of.summary.errors);
         }
         if let Some(of) = &found.changing {
             row(w.of.words().family_changing, of.summary.tests, &of.summary.errors);
@@ -245,11 +266,14 @@ fn diagnosis(ui: &mut Ui, found: &Diagnosis, language: Language, asks: &mut Vec<
             wrapped(ui, RichText::new(w.of_the_rig).weak());
         }
         for rival in finding.rivals.iter().take(2) {
-            wrapped(ui, RichText::new(format!("• {}: {}", said.named(rival.effect), said.say(&rival.why))).weak());
+            wrapped(
+                ui,
+                RichText::new(format!("• {}{}{}", said.named(rival.effect), said.colon, said.say(&rival.why))).weak(),
+            );
         }
     }
     for suspect in &found.suspects {
-        wrapped(ui, RichText::new(format!("{}: {}", said.named(suspect.effect), said.say(&suspect.why))));
+        wrapped(ui, RichText::new(format!("{}{}{}", said.named(suspect.effect), said.colon, said.say(&suspect.why))));
     }
     ui.add_space(4.0);
     let left = |held: Option<f64>| held.map_or_else(|| "–".to_owned(), |v| format!("{} N", w.digits(v)));

@@ -5,8 +5,8 @@ use crate::session::Session;
 use crate::session::model::Reach;
 use crate::session::study::{Question, Study};
 use crate::units::{Units, read};
-use crate::views::grid;
 use crate::views::{Corner, View, hue, named_list, translate_name};
+use crate::views::{grid, results};
 use crate::words::Words;
 use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use dashpot_estimation::scale::Scale;
@@ -95,6 +95,9 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         }
     }
     if let Some(study) = &session.study {
+        if study.is_old(session) {
+            results::out_of_date(ui, w);
+        }
         table(ui, study, units, w);
     }
     ui.separator();
@@ -185,16 +188,16 @@ pub fn plot(ui: &mut Ui, session: &Session, units: Units, w: &'static Words) {
     };
     let lower = format!("{} [{}]", w.velocity, speed.symbol);
     let left = format!("{} [{}]", w.force, newtons.symbol);
-    grid::with_axes(Plot::new("study"), lower, left, w).legend(Legend::default().background_alpha(0.8)).show(
-        ui,
-        |plot| {
-            let weak = plot.ctx().global_style().visuals.weak_text_color();
-            let measured = points(&seen.cycle.force[..seen.cycle_samples]);
-            plot.line(Line::new(w.measured, PlotPoints::from(measured)).color(weak).width(2.0));
-            for (k, member) in study.members.iter().enumerate() {
-                let name = format!("{} {}", w.digits(unit.factor * member.value), unit.symbol);
-                plot.line(Line::new(name, PlotPoints::from(points(&member.force))).color(hue(k)).width(1.2));
-            }
-        },
-    );
+    // The entries are in the order of the values. Forces of one sign belong to velocities of this sign, so the upper left is empty.
+    let legend =
+        Legend::default().background_alpha(0.8).position(egui_plot::Corner::LeftTop).follow_insertion_order(true);
+    grid::with_axes(Plot::new("study"), lower, left, w).legend(legend).show(ui, |plot| {
+        let weak = plot.ctx().global_style().visuals.weak_text_color();
+        let measured = points(&seen.cycle.force[..seen.cycle_samples]);
+        plot.line(Line::new(w.measured, PlotPoints::from(measured)).color(weak).width(2.0));
+        for (k, member) in study.members.iter().enumerate() {
+            let name = format!("{} {}", w.digits(unit.factor * member.value), unit.symbol);
+            plot.line(Line::new(name, PlotPoints::from(points(&member.force))).color(hue(k)).width(1.2));
+        }
+    });
 }

@@ -6,6 +6,9 @@ use crate::session::velocities::{Pair, at_peaks, within_cycle};
 use crate::views::View;
 use eframe::egui::{self, RichText, Ui};
 
+/// Largest width of a heading, px. The longest word of any language fits, and five columns fit into a window of 1280 px.
+const HEADING: f32 = 64.0;
+
 /// A table in the selected units: headings, then rows of texts.
 struct Table {
     headings: Vec<String>,
@@ -16,7 +19,7 @@ struct Table {
 pub fn show(ui: &mut Ui, session: &Session, view: &mut View) {
     let w = view.words();
     let selected = session.selected.iter().next_back().copied();
-    egui::ScrollArea::both().id_salt("tables").auto_shrink([false, false]).show(ui, |ui| {
+    egui::ScrollArea::vertical().id_salt("tables").auto_shrink([false, false]).show(ui, |ui| {
         if let Some(test) = selected {
             let name = session.record(test).map_or("", |record| &record.name);
             let title = format!("{} · {name}", w.cvp);
@@ -71,28 +74,35 @@ fn cvp(session: &Session, view: &View, test: usize) -> Table {
 
 fn draw(ui: &mut Ui, view: &mut View, id: &str, title: &str, file: &'static str, table: &Table) {
     let w = view.words();
-    ui.horizontal(|ui| {
+    ui.horizontal_wrapped(|ui| {
         ui.strong(title);
         if ui.small_button(w.save_table).clicked() {
             view.asks.push(Ask::Text(file, text(table, w.of.words().decimal_sign)));
         }
     });
-    egui::Grid::new(id).num_columns(table.headings.len()).striped(true).spacing([10.0, 2.0]).show(ui, |ui| {
-        for heading in &table.headings {
-            ui.label(RichText::new(heading).small().strong());
-        }
-        ui.end_row();
-        for row in &table.rows {
-            for (k, cell) in row.iter().enumerate() {
-                let text = RichText::new(cell).small();
-                if k == 0 {
-                    ui.label(text);
-                } else {
-                    ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| ui.label(text));
-                }
+    egui::ScrollArea::horizontal().id_salt(id).show(ui, |ui| {
+        egui::Grid::new(id).num_columns(table.headings.len()).striped(true).spacing([4.0, 2.0]).show(ui, |ui| {
+            for heading in &table.headings {
+                // A heading in one line would be wider than its numbers, and only two columns would be visible.
+                ui.scope(|ui| {
+                    ui.set_max_width(HEADING);
+                    let heading = RichText::new(heading.replace(", ", "\n")).small().strong();
+                    ui.add(egui::Label::new(heading).wrap());
+                });
             }
             ui.end_row();
-        }
+            for row in &table.rows {
+                for (k, cell) in row.iter().enumerate() {
+                    let text = RichText::new(cell).small();
+                    if k == 0 {
+                        ui.label(text);
+                    } else {
+                        ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| ui.label(text));
+                    }
+                }
+                ui.end_row();
+            }
+        });
     });
 }
 

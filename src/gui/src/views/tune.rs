@@ -4,7 +4,7 @@
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, prior_band};
 use crate::units::{Units, read};
-use crate::views::{View, fit, named_list, translate_name};
+use crate::views::{View, fit, named_list, setting_name, translate_name};
 use crate::words::Words;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Element, Row, Shape};
@@ -41,7 +41,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         ui.add(egui::Label::new(egui::RichText::new(view.language.words().say(&note)).weak()).wrap());
     }
     setting(ui, session, w);
-    legend(ui, w);
+    let is_of_a_fit = session.model.as_ref().is_some_and(Tuned::is_of_a_fit);
+    legend(ui, is_of_a_fit, w);
     ui.separator();
     let rows: Vec<Row> = parameter::table().filter(|r| r.element().is_some()).collect();
     egui::ScrollArea::vertical().id_salt("tune").auto_shrink([false, false]).show(ui, |ui| {
@@ -66,7 +67,7 @@ fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     let Some(model) = &session.model else { return };
     let Some((axis, at)) = model.over_setting() else { return };
     let (low, high) = axis.range();
-    let name = if axis.name().is_empty() { w.setting } else { axis.name() };
+    let name = if axis.name().is_empty() { w.setting } else { setting_name(axis.name(), w.of.words()) };
     let name = format!("{name} {}", axis.unit()).trim_end().to_owned();
     let mut moved = at;
     let slider = Slider::new(&mut moved, low..=high)
@@ -94,18 +95,26 @@ fn errors(ui: &mut Ui, session: &Session, w: &Words) {
         s.tests.iter().map(|t| t.percent).sum::<f64>() / s.tests.len().max(1) as f64
     };
     if let Some(now) = &session.simulated {
-        let before = session.identified.as_ref().map(|i| format!(" ({} {} %)", w.identified, w.fixed(mean(i), 2)));
+        let name = before_tuning(session.model.as_ref().is_some_and(Tuned::is_of_a_fit), w);
+        let before = session.identified.as_ref().map(|i| format!(" ({name} {} %)", w.fixed(mean(i), 2)));
         ui.label(format!("{} {} %{}", w.mean_error, w.fixed(mean(now), 2), before.unwrap_or_default()));
     }
 }
 
 const USUAL: Color32 = Color32::from_rgb(150, 150, 150);
 const INTERVAL: Color32 = Color32::from_rgb(0, 114, 178);
-const IDENTIFIED: Color32 = Color32::from_rgb(213, 94, 0);
+/// Color of the mark of an identified value.
+pub const IDENTIFIED: Color32 = Color32::from_rgb(213, 94, 0);
 
-fn legend(ui: &mut Ui, w: &Words) {
+/// Returns the name of the values before they were tuned. Only a fit identifies values.
+fn before_tuning(is_of_a_fit: bool, w: &Words) -> &'static str {
+    if is_of_a_fit { w.identified } else { w.as_opened }
+}
+
+fn legend(ui: &mut Ui, is_of_a_fit: bool, w: &Words) {
+    let before = before_tuning(is_of_a_fit, w);
     ui.horizontal_wrapped(|ui| {
-        for (colour, text) in [(USUAL, w.prior), (INTERVAL, w.interval), (IDENTIFIED, w.identified)] {
+        for (colour, text) in [(USUAL, w.prior), (INTERVAL, w.interval), (IDENTIFIED, before)] {
             // A label with non-breaking spaces keeps a mark and its text on one line.
             let mut entry = LayoutJob::default();
             let style = ui.style().clone();

@@ -49,9 +49,18 @@ fn plot(ui: &mut Ui, id: &'static str, of: &StepResponse, view: &View) {
     let line = |response: &[f64]| -> PlotPoints<'static> {
         of.time.iter().zip(response).map(|(t, r)| [1e3 * t, *r]).filter(|point| point[1].is_finite()).collect()
     };
-    let plot = Plot::new(id).height(HEIGHT).set_margin_fraction(Vec2::splat(0.04));
-    grid::with_axes(plot, said.axis_since_step.to_owned(), said.axis_way.to_owned(), w)
-        .legend(Legend::default().background_alpha(0.8).position(egui_plot::Corner::RightBottom))
+    // The last number of the lower axis extends beyond the plot, so the plot ends before the edge of the panel.
+    let width = ui.available_width() - 14.0;
+    let plot = Plot::new(id).height(HEIGHT).width(width).set_margin_fraction(Vec2::splat(0.04));
+    // With the mark of a pure number, the label would be longer than the axis.
+    let way = said.axis_way.trim_end_matches(", -").to_owned();
+    grid::with_axes(plot, said.axis_since_step.to_owned(), way, w)
+        .legend(
+            Legend::default()
+                .background_alpha(0.8)
+                .position(egui_plot::Corner::RightBottom)
+                .follow_insertion_order(true),
+        )
         .show(ui, |plot| {
             let weak = plot.ctx().global_style().visuals.weak_text_color();
             if !of.measured_response.is_empty() {
