@@ -643,8 +643,8 @@ int32_t dashpot_jacobian(const dashpot_model *model,
 //     fv_force = [[...], [...], [...]]
 //
 // Its model reads the commanded setting from every input (DASHPOT_KNOWS_SETTING), separately for each damper. Numbers and forces are
-// monotone cubics, exact on the grid. Outside the grid they are clamped to its ends (warning DASHPOT_OUTSIDE_SETTING). At every setting the damper is the
-// ordinary one of the interpolated numbers.
+// interpolated by monotone cubics, exact on the grid. A setting outside the grid is clamped to its ends (warning DASHPOT_OUTSIDE_SETTING).
+// At every setting the damper equals one without a setting that has the interpolated numbers.
 //
 // The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
 // "setting_time_down", "setting_rate_up", "setting_rate_down", "setting_hysteresis" and "setting_hysteresis_rest"; "setting_start" is the setting if the host provides none. The actual setting of
@@ -679,7 +679,7 @@ int32_t dashpot_params_set_grid(dashpot_params *params, const double *grid, uint
 // Sets a number over the setting: one value for each of the grid.
 int32_t dashpot_params_set_over(dashpot_params *params, const char *name, const double *values, uint32_t count);
 
-// Sets the forces of the FV table, fv_force, at setting number index of the grid, from 0. It has to be done at all of them.
+// Sets the forces of the FV table, fv_force, at the setting with this index of the grid, from 0. All settings of the grid need them.
 int32_t dashpot_params_set_list_over(dashpot_params *params,
                                      const char *name,
                                      uint32_t index,
