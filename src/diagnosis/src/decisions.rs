@@ -12,10 +12,8 @@ pub const NAMED: f64 = 0.5;
 pub const CLEARLY: f64 = 2.0;
 
 /// Largest root mean square residual at which the model counts as complete. Its unit is the error expected from noise
-/// and from the form of the FV curve.
-///
-/// Above this value, the form error of the model is larger than the noise.
-pub const QUIET: f64 = 1.5;
+/// and from the form of the FV curve. The search adds effects in pairs above the same value.
+pub const QUIET: f64 = dashpot_estimation::structure::search::QUIET;
 
 /// Smallest gain of log likelihood at which a structure with other effects is preferred to the given model. The value 1
 /// is a likelihood ratio of e.

@@ -79,6 +79,33 @@ impl CurvePart {
         }
     }
 
+    /// Returns the name of the rest of a part without another part, which covers it with no overlap. Returns `None` if
+    /// the rest is not a single part.
+    pub fn rest(whole: &str, part: &str) -> Option<&'static str> {
+        let of = |name: &str| CurvePart::ALL.into_iter().find(|known| known.name() == name);
+        let (whole, part) = (of(whole)?, of(part)?);
+        let rest = match (whole, part) {
+            (CurvePart { side: Side::Both, .. }, CurvePart { side, speeds: Speeds::All }) => {
+                let other = match side {
+                    Side::Rebound => Side::Compression,
+                    Side::Compression => Side::Rebound,
+                    Side::Both => return None,
+                };
+                CurvePart { side: other, speeds: Speeds::All }
+            }
+            (CurvePart { side, speeds: Speeds::All }, CurvePart { side: own, speeds }) if side == own => {
+                let other = match speeds {
+                    Speeds::Low => Speeds::High,
+                    Speeds::High => Speeds::Low,
+                    Speeds::All => return None,
+                };
+                CurvePart { side, speeds: other }
+            }
+            _ => return None,
+        };
+        Some(rest.name())
+    }
+
     /// Computes the fraction, 0 to 1, of a relative change of the part that applies at a velocity, m/s.
     fn weight(self, velocity: f64) -> f64 {
         if !self.side.has(velocity) {
@@ -110,6 +137,26 @@ impl CurvePart {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A part and the rest of a whole have together the weight of the whole at every velocity.
+    #[test]
+    fn a_part_and_the_rest_are_the_whole() {
+        let mut count = 0;
+        for whole in CurvePart::ALL {
+            for part in CurvePart::ALL {
+                let Some(rest) = CurvePart::rest(whole.name(), part.name()) else { continue };
+                let rest = CurvePart::ALL.into_iter().find(|known| known.name() == rest).unwrap();
+                for velocity in [-1.0, -0.1, -0.02, 0.02, 0.1, 1.0] {
+                    let sum = part.weight(velocity) + rest.weight(velocity);
+                    assert!((sum - whole.weight(velocity)).abs() < 1e-15, "{whole:?} {part:?} {rest:?}");
+                }
+                count += 1;
+            }
+        }
+        assert_eq!(count, 6);
+        assert_eq!(CurvePart::rest("rebound_curve", "compression_low_speed"), None);
+        assert_eq!(CurvePart::rest("gas_force", "fv_curve"), None);
+    }
 
     #[test]
     fn a_part_scales_its_side_and_speeds_alone() {

@@ -523,6 +523,22 @@ def test_a_motion_that_is_none_of_a_damper_is_warned_of() -> None:
         dashpot.Damper(model, 0.3).step(5.0, 1e-3)
 
 
+def test_a_sign_that_the_records_hardly_tell_is_warned_of(tmp_path: Path) -> None:
+    """A symmetric damper without gas is equal in both directions, so the sign of its files is uncertain."""
+    t = np.linspace(0.0, 4.0, 4001)
+    for name, speed in (("slow", 0.1), ("fast", 0.4)):
+        motion = 20.0 * np.sin(speed / 0.02 * t)
+        force = 1500.0 * speed * np.cos(speed / 0.02 * t)
+        rows = "".join(f"{a:.4f},{x:.5f},{f:.3f}\n" for a, x, f in zip(t, motion, force, strict=True))
+        (tmp_path / f"{name}.csv").write_text("time_s,displacement_mm,force_N\n" + rows)
+    with pytest.warns(UserWarning, match="sure") as warned:
+        dashpot.Campaign.read(tmp_path)
+    assert any("positive='" in str(of.message) or "--positive" in str(of.message) for of in warned)
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        dashpot.Campaign.read(tmp_path, positive="rebound")
+
+
 def test_a_part_of_a_campaign_is_a_campaign(own: dashpot.Campaign) -> None:
     part = own[1:3]
     assert isinstance(part, dashpot.Campaign) and part.names == own.names[1:3] and len(own[5:2]) == 0

@@ -407,6 +407,8 @@ error-unseen = { $tests ->
        *[other] In den { $tests } Versuchen, die
     } keine Anpassung gesehen hat, geht der Fehler von { $before } auf { $after } N effektiv
 error-fitted = Kein Versuch wurde zurückgehalten (zu wenige oder keiner benannt); die Zahlen zeigen also, wie gut das Modell passt, nicht wie gut es vorhersagt: der Fehler geht von { $before } auf { $after } N effektiv
+rating-left-out = { $grade }: in den ausgelassenen Versuchen verfehlt das Modell die gemessene Kraft um { $error } N effektiv, das { $ratio }-Fache ihres Rauschens.
+rating-fitted = { $grade }: in den angepassten Versuchen verfehlt das Modell die gemessene Kraft um { $error } N effektiv, das { $ratio }-Fache ihres Rauschens.
 gap-is-closed = { $error }; { $gap } der Lücke zwischen Modell und Rauschen sind geschlossen, jeder Versuch gemessen an seinem eigenen Rauschen.
 nothing-stays = Das Modell bleibt, wie es ist; nur seine Zahlen wurden neu angepasst.
 changed-stays = Das Modell behält seine Form; seine Zahlen sind jetzt die dieses Dämpfers.

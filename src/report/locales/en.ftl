@@ -407,6 +407,8 @@ error-unseen = On the { $tests ->
        *[other] { $tests } tests
     } that no refit has seen, the error goes from { $before } to { $after } N rms
 error-fitted = No test was left out (too few, or none named), so these figures show how well the model fits, not how well it predicts: the error goes from { $before } to { $after } N rms
+rating-left-out = { $grade }: on the left-out tests the model misses the measured force by { $error } N rms, { $ratio } times their noise.
+rating-fitted = { $grade }: on the fitted tests the model misses the measured force by { $error } N rms, { $ratio } times their noise.
 gap-is-closed = { $error }; { $gap } of the gap between model and noise is closed, each test counted in units of its own noise.
 nothing-stays = The model stays as it is; only its numbers were refitted.
 changed-stays = The model keeps its form; its numbers are this damper's now.

@@ -407,6 +407,8 @@ error-unseen = { $tests ->
        *[other] Sur les { $tests } essais qu’aucun ajustement n’a vus
     }, l’écart passe de { $before } à { $after } N efficaces
 error-fitted = Aucun essai n’a été mis de côté (trop peu, ou aucun désigné) : ces chiffres montrent comment le modèle s’ajuste, non comment il prédit ; l’écart passe de { $before } à { $after } N efficaces
+rating-left-out = { $grade } : sur les essais écartés, le modèle s’écarte de l’effort mesuré de { $error } N efficaces, { $ratio } fois leur bruit.
+rating-fitted = { $grade } : sur les essais ajustés, le modèle s’écarte de l’effort mesuré de { $error } N efficaces, { $ratio } fois leur bruit.
 gap-is-closed = { $error } ; { $gap } de l’écart entre modèle et bruit sont comblés, chaque essai compté en unités de son propre bruit.
 nothing-stays = Le modèle reste tel quel ; seuls ses paramètres ont été réajustés.
 changed-stays = Le modèle garde sa forme ; ses paramètres sont maintenant ceux de cet amortisseur.

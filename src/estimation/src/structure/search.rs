@@ -11,6 +11,7 @@ use super::expansion::{Expansion, Trial, expand};
 use super::prior_odds::{are_alternatives, is_rare};
 use super::starts::StartModel;
 use crate::cancel;
+use crate::curve_part::CurvePart;
 use crate::refit::Effort;
 use crate::vocabulary::{Candidate, Unnamed};
 use rayon::prelude::*;
@@ -71,6 +72,18 @@ const CONTESTED: f64 = 12.0;
 /// For a replaced effect, the limit is [`SWAPPED`].
 const ADDED: f64 = 3.0;
 const SWAPPED: f64 = 2.0;
+/// Form of a change relative to a reference damper.
+const CHANGED: &str = "changed";
+/// Largest root mean square residual, relative to noise and curve discretization, at which a structure counts as
+/// complete. With a larger residual, the search also adds two effects at once.
+///
+/// Above this value, the form error of the model is larger than the noise.
+pub const QUIET: f64 = 1.5;
+/// Number of effects after whose addition a second effect is tried, if no single effect raises the log posterior.
+///
+/// The first of two missing effects leaves the residual of the other, so its log posterior alone may fall. With 1, the
+/// second best first effect is never tried. Each costs an expansion. Test: `two_changes_are_found_in_three_tests`.
+const FIRSTS: usize = 2;
 /// Largest number of iterations of add, remove and replace, as a safeguard. For four measurement faults, a friction and
 /// a spring, a search from the records alone requires up to a dozen iterations. It normally ends earlier, when no move
 /// raises the log posterior.
@@ -120,6 +133,7 @@ impl StructureSearch {
             search.best = given;
             search.climb(context);
         }
+        search.split_nested(context);
         search.best = search.best.without_absent(tests);
         record(&mut search.table, &search.best);
         Some(search)
@@ -176,10 +190,72 @@ impl StructureSearch {
                     continue;
                 }
             }
-            if !self.swap(context, forms, &mut is_swapped) {
+            if !self.swap(context, forms, &mut is_swapped) && !self.add_two(context, forms, &trials) {
                 return;
             }
             is_unchecked = true;
+        }
+    }
+
+    /// Adds two effects at once if the residual of the best structure exceeds the noise. `singles` are the trials of its
+    /// expansion by one effect. Returns whether a pair was better.
+    fn add_two(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, singles: &[Trial]) -> bool {
+        if self.best.evidence.mean() < QUIET * QUIET {
+            return false;
+        }
+        let rare = |of: &Structure| of.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count();
+        let may = |t: &&Trial| t.unnamed.is_none() && rare(&t.structure) <= context.most;
+        let mut firsts: Vec<&Trial> = Vec::new();
+        for trial in singles.iter().filter(may) {
+            if firsts.len() < FIRSTS && firsts.iter().all(|first| first.form.0 != trial.form.0) {
+                firsts.push(trial);
+            }
+        }
+        let is_tried = |c: &Candidate| c.unnamed.is_none() && forms.contains(&(c.effect, c.form));
+        let mut pairs = Vec::new();
+        for first in firsts {
+            let first = first.structure.refined(context.tests, Effort::JUDGE);
+            let Some(Expansion { trials, .. }) = expand(context, &first, &is_tried, Budget::NARROW) else { continue };
+            self.note(&trials);
+            pairs.extend(trials.iter().find(may).cloned());
+        }
+        let Some(pair) = most_probable(pairs.iter().map(|trial| &trial.structure)) else { return false };
+        let next = pair.refined(context.tests, Effort::JUDGE);
+        record(&mut self.table, &next);
+        if next.log_posterior <= self.best.log_posterior + RISE {
+            return false;
+        }
+        self.best = next;
+        true
+    }
+
+    /// Replaces nested changes of the FV curve, such as both sides and rebound, by changes without overlap: rebound and
+    /// compression.
+    ///
+    /// Both sets describe the same curves. With nested changes, neither number is the change of a part, and the table
+    /// would count one model twice.
+    fn split_nested(&mut self, context: &SearchContext) {
+        let nested = |forms: &[Form]| -> Option<(&'static str, &'static str)> {
+            let changed = || forms.iter().filter(|(_, form)| *form == CHANGED).map(|(effect, _)| *effect);
+            changed().find_map(|whole| changed().find_map(|part| Some((whole, CurvePart::rest(whole, part)?))))
+        };
+        // Each replacement reduces the overlap, so there are fewer replacements than effects.
+        for _ in 0..self.best.components.len() {
+            let Some((whole, rest)) = nested(&self.best.key()) else { break };
+            let Some(place) = self.best.components.iter().position(|own| own.effect == whole) else { break };
+            let Some(less) = self.best.without(place, context.tests, Effort::JUDGE) else { break };
+            let is_rest = |c: &Candidate| c.effect == rest && c.form == CHANGED;
+            let Some(Expansion { trials, .. }) = expand(context, &less, &is_rest, Budget::RIVALS) else { break };
+            let Some(trial) = trials.first() else { break };
+            let next = trial.structure.refined(context.tests, Effort::JUDGE);
+            record(&mut self.table, &next);
+            if next.log_posterior < self.best.log_posterior - SWAPPED {
+                break;
+            }
+            self.best = next;
+        }
+        if nested(&self.best.key()).is_none() {
+            self.table.retain(|forms, _| nested(forms).is_none());
         }
     }
 

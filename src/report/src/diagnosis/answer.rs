@@ -5,6 +5,7 @@ use crate::cells::Cell;
 use crate::numbers::{digits, fraction, percent};
 use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
+use crate::quality::grade;
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome, Verdict};
 use dashpot_messages::Sentence;
@@ -14,6 +15,7 @@ use dashpot_messages::Sentence;
 pub fn section(found: &Diagnosis, words: &Words) -> Section {
     let mut blocks = vec![Block::Lead(headline(found, words))];
     blocks.extend(gap(found, words).map(Block::Paragraph));
+    blocks.extend(rating(found, words).map(Block::Paragraph));
     blocks.extend(worse(found, words).map(Block::Warning));
     // The remark on the reference model restricts the meaning of the findings. This first section contains it, so that
     // the brief print includes it.
@@ -55,6 +57,20 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
         Verdict::Ambiguous => words.nothing_added_rivals.to_owned(),
         Verdict::UnknownEffect => words.nothing_added_unknown.to_owned(),
     })
+}
+
+/// Rates the model after the diagnosis by its error on the left-out tests, else on all tests, beside their noise. Returns
+/// `None` if the noise or the error is unknown.
+fn rating(found: &Diagnosis, words: &Words) -> Option<String> {
+    let after = &found.after;
+    let (text, error, noise) = match (after.left_out_rmse_n, after.left_out_noise_n) {
+        (Some(error), Some(noise)) => (words.rating_left_out, error, noise),
+        _ => (words.rating_fitted, after.rmse_n, after.noise_n),
+    };
+    let ratio = error / noise;
+    let grade = ratio.is_finite().then(|| grade(ratio, after.error_percent, words))?;
+    let values = [("grade", grade), ("error", &digits(error, 3)), ("ratio", &digits(ratio, 2))];
+    Some(words.fill(text, &values))
 }
 
 /// Reports left-out tests whose rms error increased by more than 10 % of their noise. Returns `None` without such tests

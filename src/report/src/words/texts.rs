@@ -375,6 +375,8 @@ dashpot_messages::interface! {
         error_unseen(tests before after),
         error_fitted(before after),
         gap_is_closed(error gap),
+        rating_left_out(error grade ratio),
+        rating_fitted(error grade ratio),
         nothing_stays,
         changed_stays,
         nothing_added_rivals,

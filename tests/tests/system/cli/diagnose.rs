@@ -11,9 +11,11 @@ use tempfile::TempDir;
 /// Results that the tests of this file share, computed once.
 ///
 /// In `folder`, `records` is a campaign of the virtual rig's monotube, and `plain.toml` is a fitted model without dry
-/// friction. The output of a diagnosis is `better.toml`, `d.json`, `d.html`, `figures`, and the printed text.
+/// friction. The output of a diagnosis is `better.toml`, `d.json`, `d.html`, `figures`, and the printed text `told`.
 struct Made {
     folder: TempDir,
+    /// Printed text of the fit.
+    fitted: String,
     told: String,
 }
 
@@ -27,9 +29,10 @@ fn made() -> &'static Made {
         let folder = tempfile::tempdir().expect("a folder");
         let dir = folder.path();
         small_campaign(dir);
-        done(dir, &["fit", "records", "-o", "plain.toml", "--elements", "fv_curve,series_compliance,gas_preload"]);
+        let elements = ["--elements", "fv_curve,series_compliance,gas_preload"];
+        let fitted = done(dir, &[&["fit", "records", "-o", "plain.toml"][..], &elements].concat());
         let told = done(dir, &[&DIAGNOSE[..], &["--svg", "figures"]].concat());
-        Made { folder, told }
+        Made { folder, fitted, told }
     })
 }
 
@@ -371,6 +374,18 @@ fn little_data_and_little_leave_give_honest_answers() {
     // end.
     let shares = list(&some, "findings").iter().map(|f| f["fraction"].as_f64().unwrap()).collect::<Vec<_>>();
     assert!(shares.iter().all(|share| *share > 0.02), "{shares:?}");
+}
+
+/// A fit ends with a sentence that rates the model, and the report of a diagnosis rates the improved model.
+#[test]
+fn fit_and_diagnosis_say_how_good_the_model_is() {
+    const GRADES: [&str; 4] = ["As good as the noise allows", "Good fit", "Fair fit", "Poor fit"];
+    let last = made().fitted.trim_end().lines().last().unwrap();
+    assert!(GRADES.iter().any(|grade| last.starts_with(&format!("{grade}: the model misses"))), "{last}");
+    assert!(last.contains("times the noise of the records") && last.contains("the FV curve alone"), "{last}");
+    let report = std::fs::read_to_string(made().folder.path().join("d.html")).unwrap();
+    let rating = |grade: &&str| report.contains(&format!("{grade}: on the left-out tests the model misses"));
+    assert!(GRADES.iter().any(|grade| rating(&grade)));
 }
 
 #[test]

@@ -3,6 +3,7 @@
 mod about;
 mod accuracy;
 mod against;
+mod changes;
 mod check;
 mod contract;
 mod diagnose;
@@ -13,6 +14,7 @@ mod manoeuvre;
 mod mistakes;
 mod nothing_lost;
 mod one_clock;
+mod one_sign;
 mod records;
 mod same_result;
 mod simulate;

@@ -1,0 +1,59 @@
+//! Several changes of a damper relative to a reference, in few tests.
+
+use dashpot_test_support::Random;
+use dashpot_tests::cli::{done, json, number};
+use std::f64::consts::TAU;
+use std::fmt::Write as _;
+use std::path::Path;
+
+/// Writes three tests of a damper with a proportional force in each direction, N s/m, a gas force, N, and noise.
+fn write_campaign(folder: &Path, [rebound, compression, gas]: [f64; 3]) {
+    std::fs::create_dir_all(folder).unwrap();
+    let mut random = Random(1);
+    for (name, speed) in [("slow", 0.05), ("medium", 0.2), ("fast", 0.5)] {
+        let rate = speed / 0.02;
+        let mut text = String::from("time_s,displacement_mm,force_N\n");
+        for sample in 0..2000 {
+            let time = f64::from(sample) * 4.0 * TAU / rate / 2000.0;
+            let (displacement, velocity) = (20.0 * (rate * time).sin(), speed * (rate * time).cos());
+            let damping = if velocity > 0.0 { rebound } else { compression };
+            let force = damping * velocity + gas + random.between(-5.0, 5.0);
+            writeln!(text, "{time:.6},{displacement:.5},{force:.3}").unwrap();
+        }
+        std::fs::write(folder.join(format!("{name}.csv")), text).unwrap();
+    }
+}
+
+#[test]
+fn two_changes_are_found_in_three_tests() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    write_campaign(&dir.join("reference"), [3000.0, 1000.0, -150.0]);
+    done(dir, &["fit", "reference", "-o", "m.toml", "--model", "fv", "--positive", "rebound"]);
+    let campaigns = [
+        // The first of two changes leaves most of the residual, so alone it is hardly more probable than none.
+        ("two", [2000.0, 1000.0, 0.0], vec!["gas_force", "rebound_curve"]),
+        // Changes of both sides are those of each side, not of both sides together and of one.
+        ("three", [1000.0, 1150.0, 0.0], vec!["compression_curve", "gas_force", "rebound_curve"]),
+    ];
+    for (name, damper, wanted) in campaigns {
+        write_campaign(&dir.join(name), damper);
+        let options = ["--reference", "reference", "--positive", "rebound", "--json", "d.json", "--force"];
+        done(dir, &[&["diagnose", "m.toml", name][..], &options].concat());
+        let found = json(&dir.join("d.json"));
+        let changes = found["changes"].as_array().unwrap();
+        let mut names: Vec<&str> = changes.iter().map(|change| change["name"].as_str().unwrap()).collect();
+        names.sort_unstable();
+        assert_eq!(names, wanted, "{found}");
+        for change in changes {
+            // Forces at 0.2 m/s, and the gas force, which is positive in compression.
+            let truth = match change["name"].as_str().unwrap() {
+                "gas_force" => -damper[2],
+                "rebound_curve" => damper[0] * number(change, "velocity_m_s"),
+                _ => damper[1] * number(change, "velocity_m_s"),
+            };
+            let value = number(change, "value");
+            assert!((value - truth).abs() < 5.0 + 0.03 * truth.abs(), "{change}: {truth}");
+        }
+    }
+}
