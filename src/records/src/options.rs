@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::str::FromStr;
 
+use dashpot_messages::format_number;
 use serde::{Deserialize, Serialize};
 
 use crate::dates::date_order::DateOrder;
@@ -125,11 +126,6 @@ impl Default for Options {
     }
 }
 
-/// Formats a number of the user. A huge number has an exponent instead of hundreds of digits.
-fn figure(value: f64) -> String {
-    if value.abs() < 1e9 { format!("{value}") } else { format!("{value:e}") }
-}
-
 impl Options {
     /// Checks that the numbers are within their limits, and that the rules for settings and the ignored channels are
     /// valid.
@@ -139,12 +135,18 @@ impl Options {
     /// force.
     pub fn check(&self) -> Result<(), String> {
         if !(self.delay_s.abs() <= LONGEST_DELAY) {
-            return Err(format!("a delay of {} s cannot be; give it in seconds, such as 0.012", figure(self.delay_s)));
+            return Err(format!(
+                "a delay of {} s cannot be; give it in seconds, such as 0.012",
+                format_number(self.delay_s)
+            ));
         }
         if let Some(rate) = self.sample_rate_hz
             && !(SAMPLE_RATES.0..=SAMPLE_RATES.1).contains(&rate)
         {
-            return Err(format!("a sample rate of {} cannot be; give samples per second, such as 1000", figure(rate)));
+            return Err(format!(
+                "a sample rate of {} cannot be; give samples per second, such as 1000",
+                format_number(rate)
+            ));
         }
         let gains = std::iter::once((Channel::Force, self.gain)).chain(self.gains.iter().map(|(c, gain)| (*c, *gain)));
         for (channel, gain) in gains {
@@ -155,7 +157,7 @@ impl Options {
                 let of = if channel == Channel::Force { String::new() } else { format!(" of {channel}") };
                 return Err(format!(
                     "a gain{of} of {} cannot be; give a factor above 0, of {} to {}, and turn a sign with flip",
-                    figure(gain),
+                    format_number(gain),
                     GAINS.0,
                     GAINS.1
                 ));
@@ -164,7 +166,7 @@ impl Options {
         if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
             return Err(format!(
                 "a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2",
-                figure(self.rig_mass_kg)
+                format_number(self.rig_mass_kg)
             ));
         }
         self.settings.check()?;
@@ -178,7 +180,7 @@ impl Options {
         ];
         match limited.into_iter().find(|(_, value, largest, _)| !(value.abs() <= *largest)) {
             Some((name, value, largest, unit)) => {
-                Err(format!("a {name} of {} {unit} cannot be; it is at most {largest} {unit}", figure(value)))
+                Err(format!("a {name} of {} {unit} cannot be; it is at most {largest} {unit}", format_number(value)))
             }
             None => Ok(()),
         }

@@ -3,10 +3,14 @@
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
+use dashpot_messages::format_number;
 use dashpot_records::MotionRecord;
 
 /// Largest number of rows of a resampled motion. More rows are rejected, because this number already gives some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
+
+/// Largest initial position that a user may state, m: the travel of the longest drive, as for records.
+const FARTHEST: f64 = 10.0;
 
 /// Number of samples between two reports of progress.
 ///
@@ -55,14 +59,18 @@ pub enum ImposeError {
          velocity alone. Leave it out, or leave the displacement unread with --ignore displacement"
     )]
     InitialPositionKnown,
-    /// The initial position is not finite.
-    #[error("the initial position is {0} m, which is no position")]
+    /// The initial position is not finite, or larger than [`FARTHEST`].
+    #[error("the initial position is {} m, which is no position; give -{FARTHEST} to {FARTHEST} m", format_number(*.0))]
     InitialPosition(f64),
     /// The step is not positive.
-    #[error("the step is {0} s; it must be above zero")]
+    #[error("the step is {} s; it must be above zero and at most the duration of the motion", format_number(*.0))]
     Step(f64),
     /// The step is longer than the motion.
-    #[error("the step of {step} s is longer than the motion, which lasts {duration} s")]
+    #[error(
+        "the step of {} s is longer than the motion, which lasts {} s",
+        format_number(*step),
+        format_number(*duration)
+    )]
     LongStep {
         /// The step, s.
         step: f64,
@@ -70,7 +78,12 @@ pub enum ImposeError {
         duration: f64,
     },
     /// The step gives more than [`MOST_ROWS`] rows.
-    #[error("a step of {step} s makes {rows:.0} rows of a motion of {duration} s; at most {MOST_ROWS} are written")]
+    #[error(
+        "a step of {} s makes {} rows of a motion of {} s; at most {MOST_ROWS} are written, so give a longer step",
+        format_number(*step),
+        format_number(rows.round()),
+        format_number(*duration)
+    )]
     ShortStep {
         /// The step, s.
         step: f64,
@@ -80,7 +93,7 @@ pub enum ImposeError {
         rows: f64,
     },
     /// The velocity or the force is not finite: time, s, and name of the quantity.
-    #[error("at {0} s the {1} is no finite number any more; check the units of the motion")]
+    #[error("at {} s the {} is no finite number any more; check the units of the motion", format_number(*.0), .1)]
     NotFinite(f64, &'static str),
 }
 
@@ -104,7 +117,8 @@ impl ImposedMotion {
             (Some(x), None) => (x.first().copied().unwrap_or(0.0), spline_slopes(&time, x)),
             (None, v) => (initial_position.unwrap_or(0.0), v.unwrap_or_default()),
         };
-        if !initial_position.is_finite() {
+        let is_stated = displacement.is_none();
+        if !initial_position.is_finite() || is_stated && initial_position.abs() > FARTHEST {
             return Err(ImposeError::InitialPosition(initial_position));
         }
         if let Some(row) = velocity.iter().position(|v| !v.is_finite()) {

@@ -7,7 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::glob;
 use crate::numbers::{quantile, white_noise};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_number};
 
 /// A setting of an adjustable damper.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -197,8 +197,7 @@ pub fn is_same_setting(a: f64, b: f64) -> bool {
 
 /// Formats a value of a setting with its unit, if it has one: `0.8 A`.
 pub fn setting_in_words(value: f64, unit: &str) -> String {
-    // Adding 0.0 removes the sign of −0.
-    format!("{} {unit}", value + 0.0).trim_end().to_owned()
+    format!("{} {unit}", format_number(value)).trim_end().to_owned()
 }
 
 /// Rules of the user for the setting of each test.

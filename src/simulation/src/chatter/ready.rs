@@ -7,13 +7,14 @@ use crate::{followed, stiffness};
 use dashpot_core::Params;
 use dashpot_core::family::Definition;
 use dashpot_identification::model_file::{NoModel, prepared};
+use dashpot_messages::format_number;
 use serde::Serialize;
 
 /// Reason why a damper cannot be checked in a host.
 #[derive(Debug, thiserror::Error)]
 pub enum HostError {
     /// The step is outside the range of hosts.
-    #[error("{name} is in s and lies between 1e-6 and 0.1, not {step}")]
+    #[error("{name} is in s and lies between 1e-6 and 0.1, not {}", format_number(*step))]
     Step {
         /// Name of the option.
         name: &'static str,
@@ -21,7 +22,7 @@ pub enum HostError {
         step: f64,
     },
     /// The mass is outside the range of masses that a damper moves.
-    #[error("--wheel-mass is in kg and lies between 0.001 and 100000, not {0}")]
+    #[error("--wheel-mass is in kg and lies between 0.001 and 100000, not {}", format_number(*.0))]
     Mass(f64),
     /// The parameters do not form a valid model.
     #[error(transparent)]
