@@ -136,7 +136,7 @@ impl Options {
     pub fn check(&self) -> Result<(), String> {
         if !(self.delay_s.abs() <= LONGEST_DELAY) {
             return Err(format!(
-                "a delay of {} s cannot be; give it in seconds, such as 0.012",
+                "a delay of {} s cannot be; give it in seconds, such as 0.012, of {LONGEST_DELAY} s at most",
                 format_number(self.delay_s)
             ));
         }
@@ -144,8 +144,10 @@ impl Options {
             && !(SAMPLE_RATES.0..=SAMPLE_RATES.1).contains(&rate)
         {
             return Err(format!(
-                "a sample rate of {} cannot be; give samples per second, such as 1000",
-                format_number(rate)
+                "a sample rate of {} cannot be; give samples per second, such as 1000, of {} to {}",
+                format_number(rate),
+                SAMPLE_RATES.0,
+                SAMPLE_RATES.1
             ));
         }
         let gains = std::iter::once((Channel::Force, self.gain)).chain(self.gains.iter().map(|(c, gain)| (*c, *gain)));
@@ -165,7 +167,7 @@ impl Options {
         }
         if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
             return Err(format!(
-                "a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2",
+                "a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2, of {LARGEST_MASS} kg at most",
                 format_number(self.rig_mass_kg)
             ));
         }
@@ -247,8 +249,20 @@ mod tests {
         for (change, limit) in limits {
             assert!(check(change, 0.75 * limit) && !check(change, 1.35 * limit), "{limit}");
         }
-        let huge = Options { displacement_zero_m: 1e308, ..Options::default() };
-        assert!(huge.check().unwrap_err().contains("displacement zero of 1e308 m"));
+        let named = ["delay", "sample rate", "gain", "force zero", "initial position", "mass", "displacement zero"];
+        for (k, (change, _)) in limits.iter().enumerate() {
+            for value in [1e308, -1e308, f64::NAN, f64::INFINITY] {
+                let mut options = Options::default();
+                change(&mut options, value);
+                let message = options.check().unwrap_err();
+                let name = named.get(k).copied().unwrap_or("gain of displacement");
+                assert!(message.contains(name) && message.contains(&format_number(value)), "{message}");
+                assert!(message.len() < 300, "{message}");
+            }
+        }
+        for (change, _) in [limits[1], limits[2], limits[7]] {
+            assert!(!check(change, 0.0) && !check(change, 1e-308));
+        }
         for (change, limit) in [(limits[1].0, 1e-3), (limits[2].0, 1e-4), (limits[7].0, 1e-4)] {
             assert!(check(change, 1.35 * limit) && !check(change, 0.75 * limit), "{limit}");
         }
