@@ -14,5 +14,5 @@ mod sentence;
 pub use catalog::Catalog;
 pub use id::{Message, kebab};
 pub use kept::{Kept, Restorer};
-pub use number::format_number;
+pub use number::{format_decimals, format_number};
 pub use sentence::{Locale, Sentence, Template, is_number, word_id};

@@ -12,6 +12,11 @@ pub fn format_number(value: f64) -> String {
     format!("{value:e}")
 }
 
+/// Formats a number with this number of decimals. From a magnitude of 1e9 on, it has an exponent instead.
+pub fn format_decimals(value: f64, decimals: usize) -> String {
+    if value.abs() < PLAIN.end || !value.is_finite() { format!("{value:.decimals$}") } else { format!("{value:.3e}") }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -32,6 +37,8 @@ mod tests {
         ] {
             assert_eq!(format_number(value), text);
         }
+        assert_eq!(format_decimals(1.0 / 3.0, 2), "0.33");
+        assert_eq!([1e308, -1e9, 1e-308].map(|value| format_decimals(value, 1)), ["1.000e308", "-1.000e9", "0.0"]);
         for value in [f64::MAX, f64::MIN_POSITIVE, 5e-324, 0.1 + 0.2, -1.0 / 3e7] {
             let text = format_number(value);
             assert!(text.len() < 26 && text.parse() == Ok(value), "{text}");
