@@ -167,7 +167,7 @@ impl Options {
         }
         if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
             return Err(format!(
-                "a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2, of {LARGEST_MASS} kg at most",
+                "a rig mass of {} kg on the load cell cannot be; give it in kg, such as 1.2, of {LARGEST_MASS} kg at most",
                 format_number(self.rig_mass_kg)
             ));
         }

@@ -291,6 +291,19 @@ mod tests {
             let message = Campaign::run(&small_matrix(), &options, |_, _| {}).unwrap_err().to_string();
             assert!(message.contains(words), "{message}");
         }
+        for value in [1e308, -1e308, f64::NAN, f64::INFINITY] {
+            for (options, words) in [
+                (Options { noise_percent: value, ..ideal() }, "option noise: "),
+                (Options { sample_rate_hz: Some(value), ..ideal() }, "option sample rate: "),
+                (Options { noise_colour: value, ..ideal() }, "option noise colour: "),
+                (Options { hum_n: value, ..ideal() }, "option hum: "),
+                (Options { start_temperature_c: Some(value), ..ideal() }, "option start temperature: "),
+            ] {
+                let message = Campaign::run(&small_matrix(), &options, |_, _| {}).unwrap_err().to_string();
+                let named = format!("{words}{}", format_number(value));
+                assert!(message.starts_with(&named) && message.len() < 300, "{message}");
+            }
+        }
         let slow = Matrix::default();
         let message = Campaign::run(&slow, &Options { sample_rate_hz: Some(20e3), ..ideal() }, |_, _| {})
             .unwrap_err()

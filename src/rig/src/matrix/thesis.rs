@@ -67,13 +67,11 @@ impl Matrix {
         check_values("amplitudes", "mm", &options.amplitudes_m)?;
         check_values("peak velocities", "mm/s", &options.peak_velocities_m_s)?;
         let limit = options.frequency_limit_hz;
-        if !(limit.is_finite() && limit > 0.0) {
+        let (low, high) = FREQUENCY_LIMITS_HZ;
+        if !(low..=high).contains(&limit) {
             return Err(RigError::Option {
                 option: "frequency limit",
-                problem: format!(
-                    "{} Hz; give a positive number, such as {RIG_FREQUENCY_LIMIT_HZ}",
-                    format_number(limit)
-                ),
+                problem: format!("{} Hz; give {low} to {high} Hz", format_number(limit)),
             });
         }
         let decimals = decimals_needed(&options.peak_velocities_m_s);
@@ -127,6 +125,9 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
         }
     })
 }
+
+/// Range of accepted frequency limits, Hz. The lowest is that of the rig's controller, and no hydraulic rig reaches the highest.
+const FREQUENCY_LIMITS_HZ: (f64, f64) = (1e-3, 1000.0);
 
 /// Range of accepted amplitudes, m, and peak velocities, m/s.
 ///

@@ -32,7 +32,8 @@ pub enum HostError {
     Rejected(&'static str),
     /// The damper depends on a setting, and its friction chatters at one of the settings.
     #[error(
-        "at the setting {setting} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {setting} -o one.toml, or fit presliding friction"
+        "at the setting {at} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {at} -o one.toml, or fit presliding friction",
+        at = format_number(*setting)
     )]
     OverSetting {
         /// Setting at which the friction chatters.

@@ -40,10 +40,10 @@ pub struct Args {
     #[arg(long, value_name = "N|all|family")]
     clicks: Option<String>,
     /// Gas force that the table's forces include, N
-    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     gas_force: f64,
     /// Friction that the table's forces include, N
-    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     friction: f64,
 }
 
