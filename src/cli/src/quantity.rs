@@ -1,7 +1,8 @@
 //! Numbers of the command line with an optional unit: 5ms, 0.4in, 1.2kN. Numbers without a unit are in SI units.
 
 use anyhow::bail;
-use dashpot_core::family::Axis;
+use dashpot_core::family::{Axis, LARGEST_SETTING};
+use dashpot_messages::format_number;
 use dashpot_records::{Dimension, Unit, setting_factor, split_unit};
 use std::str::FromStr;
 
@@ -70,14 +71,20 @@ impl SettingText {
         let own = axis.unit();
         // A setting in clicks has the name `clicks` and no unit, so the text may use `clicks` as its unit.
         let is_clicks = own.is_empty() && axis.name() == "clicks" && setting_factor(&self.unit, "clicks").is_some();
-        match setting_factor(&self.unit, own) {
-            Some(factor) if is_clicks => Ok(factor * self.value),
-            Some(factor) if self.unit.is_empty() || !own.is_empty() => Ok(factor * self.value),
+        let given = format!("{} {}", format_number(self.value), self.unit);
+        let value = match setting_factor(&self.unit, own) {
+            Some(factor) if is_clicks => factor * self.value,
+            Some(factor) if self.unit.is_empty() || !own.is_empty() => factor * self.value,
             _ if own.is_empty() => {
-                bail!("{} {}: the setting of this damper has no unit; give the number alone", self.value, self.unit)
+                bail!("{given}: the setting of this damper has no unit; give the number alone")
             }
-            _ => bail!("{} {}: the setting of this damper is counted in {own}", self.value, self.unit),
+            _ => bail!("{given}: the setting of this damper is counted in {own}"),
+        };
+        if !(value.abs() <= LARGEST_SETTING) {
+            let largest = format_number(LARGEST_SETTING);
+            bail!("the setting {} is beyond that of any damper; give -{largest} to {largest}", given.trim_end());
         }
+        Ok(value)
     }
 }
 
@@ -110,6 +117,22 @@ mod tests {
         assert_eq!(["0.6", "0.6 A", "0,6", "0,6A"].map(|text| value(text).unwrap()), [0.6; 4]);
         assert!(value("12 clicks").unwrap_err().to_string().contains("counted in A"));
         assert!("high".parse::<SettingText>().unwrap_err().contains("0.6A"));
+    }
+
+    #[test]
+    fn a_setting_beyond_that_of_any_damper_is_rejected() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 1.6]).unwrap();
+        axis.set_unit("A").unwrap();
+        let value = |text: &str| match text.parse::<SettingText>() {
+            Ok(setting) => setting.in_unit_of(&axis).map_err(|why| why.to_string()),
+            Err(why) => Err(why),
+        };
+        for text in ["1e308", "-1e308", "1e308A", "1.1e9", "nan", "inf"] {
+            let message = value(text).unwrap_err();
+            assert!(message.contains(text.trim_end_matches('A')) && message.len() < 300, "{message}");
+        }
+        assert_eq!((value("1e-308"), value("0"), value("-1e9")), (Ok(1e-308), Ok(0.0), Ok(-1e9)));
     }
 
     #[test]

@@ -5,6 +5,7 @@ use crate::entry::{DESIGN, ENTRIES, Entry, EntryRow};
 use crate::error::DimensionsError;
 use crate::uncertain::Uncertain;
 use dashpot_identification::model_file::nearest;
+use dashpot_messages::format_number;
 use std::collections::BTreeMap;
 use std::path::Path;
 use toml::{Spanned, Value};
@@ -58,7 +59,17 @@ fn design(value: &Value) -> Result<Design, String> {
     match value.as_str() {
         Some("monotube") => Ok(Design::Monotube),
         Some("twin_tube") => Ok(Design::TwinTube),
-        _ => Err(format!(" = {value} is no design: it is \"monotube\" or \"twin_tube\"")),
+        _ => Err(format!(" = {} is no design: it is \"monotube\" or \"twin_tube\"", shown(value))),
+    }
+}
+
+/// Formats a value of the file for a message. The TOML library would write 1e308 with 309 digits, and a list in full.
+fn shown(value: &Value) -> String {
+    match value {
+        Value::Float(number) => format_number(*number),
+        Value::Array(list) => format!("a list of {}", list.len()),
+        Value::Table(_) => "a table".to_owned(),
+        other => other.to_string(),
     }
 }
 
@@ -68,13 +79,15 @@ fn number(row: &EntryRow, value: &Value) -> Result<Uncertain, String> {
     let one = |value: &Value| {
         let number = value.as_float().or_else(|| value.as_integer().map(|whole| whole as f64)).ok_or_else(|| {
             format!(
-                " = {value} is no number; give one, such as {key} = {from}, or its range [low, high]",
+                " = {} is no number; give one, such as {key} = {from}, or its range [low, high]",
+                shown(value),
                 key = row.key
             )
         })?;
         if number.is_finite() && (from..=to).contains(&number) {
             Ok(number)
         } else {
+            let number = format_number(number);
             Err(format!(" = {number} lies outside {from} to {to}; look at the unit, which is the end of the key"))
         }
     };
@@ -151,6 +164,24 @@ mod tests {
 
     fn read(text: &str) -> Result<Dimensions, String> {
         parse(text, Path::new("D.toml")).map_err(|e| e.to_string())
+    }
+
+    #[test]
+    fn every_number_has_bounds_that_its_message_names() {
+        for row in &ENTRIES {
+            let (low, high) = row.bounds;
+            for value in ["1e308", "-1e308", "nan", "inf", "[1e308, 1e308]", "[[1e308], 1]", "[-1e308, 1e308]"] {
+                let message = read(&format!("{} = {value}\n", row.key)).unwrap_err();
+                assert!(message.starts_with(&format!("D.toml, line 1: {} = ", row.key)), "{message}");
+                let names_bounds = message.contains(&format!("{low} to {high}")) || message.contains("is no number");
+                assert!(names_bounds && message.len() < 300, "{message}");
+            }
+            let tiny = read(&format!("{} = 1e-308\n", row.key));
+            assert_eq!(tiny.is_ok(), low <= 0.0, "{tiny:?}");
+            assert_eq!(read(&format!("{} = 0\n", row.key)).is_ok(), low <= 0.0);
+        }
+        let message = read("design = 1e308\n").unwrap_err();
+        assert!(message.contains("design = 1e308 is no design") && message.len() < 300, "{message}");
     }
 
     #[test]

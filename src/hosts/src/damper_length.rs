@@ -4,9 +4,10 @@
 //! user probably meant the unit of the other program.
 
 use crate::fmu::LONGEST;
+use dashpot_messages::format_number;
 
 /// Shortest accepted length of a damper, m. The damper of a toy model car is 0.05 m long, and the limit leaves a margin.
-const SHORTEST: f64 = 0.03;
+pub(crate) const SHORTEST: f64 = 0.03;
 
 /// Splits a text into a number and its unit, `mm` or `m`, if the text ends with one.
 pub fn parts(text: &str) -> (&str, Option<&'static str>) {
@@ -31,8 +32,9 @@ pub fn in_units(text: &str, unit: &str, metres: f64) -> Result<f64, String> {
     };
     if !(SHORTEST..=LONGEST).contains(&in_metres) {
         return Err(format!(
-            "no damper is {value} {} long (they have {SHORTEST} to {LONGEST} m); a number alone is in the unit of the model, {unit}, so give such as {:.4} or \
+            "no damper is {} {} long (they have {SHORTEST} to {LONGEST} m); a number alone is in the unit of the model, {unit}, so give such as {:.4} or \
              412.5mm",
+            format_number(value),
             given.unwrap_or(unit),
             0.4125 / metres
         ));
@@ -76,7 +78,8 @@ fn read(text: &str, unit: &str) -> Result<f64, String> {
     let metres = if given == "mm" { value / 1e3 } else { value };
     if !(SHORTEST..=LONGEST).contains(&metres) {
         return Err(format!(
-            "no damper is {value} {given} long (they have {SHORTEST} to {LONGEST} m); a number alone is in {unit}, so give such as {example}"
+            "no damper is {} {given} long (they have {SHORTEST} to {LONGEST} m); a number alone is in {unit}, so give such as {example}",
+            format_number(value)
         ));
     }
     // Use the number without conversion to m and back: 412.3 stays 412.3.
@@ -118,6 +121,17 @@ mod tests {
         let refusal = in_units("412.5", "meter", 1.0).unwrap_err();
         assert!(refusal.contains("412.5 meter long") && refusal.contains("0.4125 or 412.5mm"), "{refusal}");
         assert!(in_units("0.4125", "millimeter", 1e-3).is_err());
+    }
+
+    #[test]
+    fn lengths_of_hundreds_of_digits_are_rejected_in_a_short_sentence() {
+        for value in ["1e308", "-1e308", "1e-308", "inf", "NaN", "0"] {
+            for message in [in_millimetres(value), in_metres(value), in_units(value, "inch", 0.0254)] {
+                let message = message.unwrap_err();
+                assert!(message.contains(value) && message.contains("0.03 to 3 m"), "{message}");
+                assert!(message.len() < 300, "{message}");
+            }
+        }
     }
 
     #[test]

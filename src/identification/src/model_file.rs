@@ -15,7 +15,7 @@ use dashpot_core::parameter::{self, Element, List, Row, Shape};
 use dashpot_core::{Fault, Model, Params, model_file};
 use dashpot_core::{element, list, number};
 use dashpot_estimation::structure::inventory::InventoryItem;
-use dashpot_messages::{Kept, Sentence};
+use dashpot_messages::{Kept, Sentence, format_number};
 use dashpot_records::{clock, read_small_text};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
@@ -307,12 +307,14 @@ fn outside_grid(axis: &Axis, text: &str) -> Option<(u32, String)> {
     let ((low, high), start) = (axis.range(), axis.start());
     if !(low..=high).contains(&start) {
         let key = "setting_start";
+        let [start, low, high] = [start, low, high].map(format_number);
         return Some((line(key), format!("{key} = {start} lies outside the settings of the file, {low} to {high}")));
     }
     let hysteresis = axis.actuator().hysteresis;
     let most = 0.25 * (high - low);
     let key = "setting_hysteresis";
     (hysteresis > most).then(|| {
+        let [hysteresis, most, low, high] = [hysteresis, most, low, high].map(format_number);
         let words = format!("{key} = {hysteresis} is more than {most}, a quarter of the way from {low} to {high}: the valve would hardly move");
         (line(key), words)
     })

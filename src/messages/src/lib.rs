@@ -8,9 +8,11 @@ pub mod file;
 mod id;
 mod interface;
 mod kept;
+mod number;
 mod sentence;
 
 pub use catalog::Catalog;
 pub use id::{Message, kebab};
 pub use kept::{Kept, Restorer};
+pub use number::{format_decimals, format_number};
 pub use sentence::{Locale, Sentence, Template, is_number, word_id};

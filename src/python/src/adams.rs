@@ -1,6 +1,7 @@
 //! Export of models to files of Adams, and import of models from such files and from tables of peak forces.
 
 use crate::errors::{ExportError, ModelError, OutputError, raise, say};
+use crate::family::check_settings;
 use crate::model::Model;
 use dashpot_core::Params;
 use dashpot_hosts::adams::folder::SineTest;
@@ -142,6 +143,7 @@ pub fn import_peaks(
     friction: f64,
     is_family: bool,
 ) -> PyResult<(String, String, bool, Vec<String>)> {
+    check_settings("clicks", &clicks)?;
     let said = |name: &str, why: String| say::<ModelError>(format!("{name}: {why}"));
     let mut options = PeakOptions { clicks, ..PeakOptions::default() };
     if let Some(text) = positive {

@@ -5,6 +5,7 @@ use crate::model::Model;
 use crate::work;
 use dashpot_core::step::step_into;
 use dashpot_core::{Input, Output, State};
+use dashpot_messages::format_number;
 use numpy::ndarray::{ArrayView1, ArrayViewMut1};
 use numpy::{
     AllowTypeChange, PyArray1, PyArray2, PyArrayLike2, PyArrayMethods as _, PyReadonlyArray1, PyReadwriteArray1,
@@ -23,6 +24,8 @@ const LARGEST: f64 = 1e3;
 const LARGEST_SIDE_FORCE: f64 = 1e9;
 /// Largest accepted |temperature|, °C, equal to the limit of the C interface.
 const LARGEST_TEMPERATURE: f64 = 1e5;
+/// Limits of the inputs in messages.
+const LIMITS: &str = "give at most 1000 m and m/s together, 1e9 N and 1e5 °C";
 /// Smallest number of dampers at which a step is distributed over threads. Fewer dampers are stepped by the calling thread, because the
 /// distribution costs some microseconds and the step of one damper about half a microsecond.
 const SHARED: usize = 256;
@@ -163,7 +166,10 @@ impl Dampers {
             )));
         }
         if let Some(x) = initial_position.iter().find(|x| x.is_nan() || x.abs() > LARGEST) {
-            return Err(say::<StepError>(format!("the initial position is {x} m, which is no position")));
+            return Err(say::<StepError>(format!(
+                "initial_position_m is {} m, which is no position; give -{LARGEST} to {LARGEST} m",
+                format_number(*x)
+            )));
         }
         let count = initial_position.len();
         for (name, given) in [
@@ -190,8 +196,11 @@ impl Dampers {
         let states = py.detach(|| (0..count).map(settled).collect::<Result<Vec<State>, usize>>());
         let states = states.map_err(|k| {
             say::<StepError>(format!(
-                "damper {k} cannot start so: position {} m, velocity {} m/s, side force {} N, temperature {} °C",
-                initial_position[k], initial_velocity[k], side_force[k], temperature[k]
+                "damper {k} cannot start so: position {} m, velocity {} m/s, side force {} N, temperature {} °C; {LIMITS}",
+                format_number(initial_position[k]),
+                format_number(initial_velocity[k]),
+                format_number(side_force[k]),
+                format_number(temperature[k])
             ))
         })?;
         Ok(Dampers { models, next: states.clone(), states })
@@ -228,7 +237,10 @@ impl Dampers {
         let temperature = Channel::of("temperature_c", temperature)?;
         let count = own.states.len();
         if !STEP.contains(&dt) {
-            return Err(say::<StepError>(format!("dt_s is {dt} s; it must be between 1e-15 and 100 s")));
+            return Err(say::<StepError>(format!(
+                "dt_s is {} s; it must be between 1e-15 and 100 s",
+                format_number(dt)
+            )));
         }
         if out.as_array().len() != count {
             return Err(PyValueError::new_err(format!(
@@ -245,9 +257,12 @@ impl Dampers {
         if let Some(k) = (0..count).find(|k| !sane(&inputs.at(*k))) {
             let Input { displacement, velocity, side_force, temperature } = inputs.at(k);
             return Err(say::<StepError>(format!(
-                "an input of damper {k} is NaN, infinite or absurd: displacement {} m, velocity {velocity} m/s, side force \
-                 {side_force} N, temperature {temperature} °C",
-                displacement.unwrap_or(0.0)
+                "an input of damper {k} is NaN, infinite or absurd: displacement {} m, velocity {} m/s, side force \
+                 {} N, temperature {} °C; {LIMITS}",
+                format_number(displacement.unwrap_or(0.0)),
+                format_number(velocity),
+                format_number(side_force),
+                format_number(temperature)
             )));
         }
         let models: &[Py<Model>] = &own.models;

@@ -3,7 +3,7 @@
 use crate::campaign::Campaign;
 use crate::dimensions::priors;
 use crate::errors::{DiagnosisError, raise};
-use crate::family::Family;
+use crate::family::{Family, check_settings};
 use crate::model::Model;
 use crate::work;
 use dashpot_diagnosis::settings::{OverSettings, SettingFigures, SettingsFigures, WithSettings, split_by_setting};
@@ -86,6 +86,7 @@ pub fn diagnose_family<'py>(
     progress: Option<Py<PyAny>>,
     dimensions: Option<PathBuf>,
 ) -> PyResult<(String, Vec<Vec<Bound<'py, PyDict>>>)> {
+    check_settings("setting", &given)?;
     let priors = priors(dimensions.as_deref())?;
     let (file, mut read) = (&family.get().file, campaign.get().read.clone());
     let held_out = match hold_out.is_empty() {

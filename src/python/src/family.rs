@@ -13,6 +13,7 @@ use dashpot_identification::family::{FamilyFigures, fit_family as fit};
 use dashpot_identification::limits::judge_over_settings;
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::setting_units::restate_settings;
+use dashpot_messages::format_number;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{MotionRecord, Record};
 use dashpot_simulation::comparison::{compare_family, summarize_settings};
@@ -25,6 +26,15 @@ use std::path::PathBuf;
 
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
+
+/// Raises a `ValueError` if one of the settings is beyond that of any damper. `name` is that of the argument.
+pub fn check_settings<'a>(name: &str, values: impl IntoIterator<Item = &'a f64>) -> PyResult<()> {
+    let is_beyond = |value: &&f64| !(value.abs() <= family::LARGEST_SETTING);
+    values.into_iter().find(is_beyond).map_or(Ok(()), |value| {
+        let (number, largest) = (format_number(*value), format_number(family::LARGEST_SETTING));
+        Err(PyValueError::new_err(format!("{name} {number} is that of no damper; give -{largest} to {largest}")))
+    })
+}
 
 /// Damper over a setting, with the text and the contents of its model file.
 #[pyclass(frozen, module = "dashpot._native")]
@@ -63,6 +73,7 @@ impl Family {
 
     /// Returns the damper without a setting that the family is at `setting`. `name` is its name in error messages.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
+        check_settings("setting", [&setting])?;
         let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
         Model::from_text(text, &name)
     }
@@ -79,10 +90,9 @@ impl Family {
         if velocity.len() != setting.len() {
             return Err(PyValueError::new_err("setting needs one number for every velocity"));
         }
-        for (name, values) in [("velocity", &velocity), ("setting", &setting)] {
-            if values.iter().any(|value| !value.is_finite()) {
-                return Err(PyValueError::new_err(format!("{name} needs finite numbers")));
-            }
+        check_settings("setting", &setting)?;
+        if velocity.iter().any(|value| !value.is_finite()) {
+            return Err(PyValueError::new_err("velocity needs finite numbers"));
         }
         let forces = py.detach(|| {
             let definition = self.file.definition();
@@ -114,6 +124,7 @@ impl Family {
         progress: Option<Py<PyAny>>,
         limits: Option<Vec<limits::Row>>,
     ) -> PyResult<(String, Vec<Forces<'py>>, Campaign, Vec<String>)> {
+        check_settings("setting", &given)?;
         let windows = limits.map(limits::of_rows).transpose()?;
         let file = &self.file;
         let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
@@ -167,6 +178,7 @@ impl Family {
                 return Err(PyValueError::new_err(format!("{name} needs one finite number for every time")));
             }
         }
+        check_settings("setting", &setting)?;
         if displacement.is_none() && velocity.is_none() {
             return Err(PyValueError::new_err("a motion needs displacement or velocity"));
         }

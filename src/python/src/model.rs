@@ -6,6 +6,7 @@ use dashpot_core::parameter::GROUPS;
 use dashpot_core::parameter::{self, Element, Shape};
 use dashpot_core::{Input, evaluate};
 use dashpot_identification::model_file::{self, Interval, ModelFile};
+use dashpot_messages::format_number;
 use dashpot_output::as_a_run;
 use dashpot_records::MotionRecord;
 use dashpot_simulation::imposed_motion::{ImposedMotion, PROGRESS_INTERVAL};
@@ -176,7 +177,10 @@ impl Model {
         };
         let forces = long(py, progress, velocity.len(), "evaluating", forces)?;
         let forces = forces.map_err(|v| {
-            PyValueError::new_err(format!("there is no finite force at {v} m/s: it is no velocity of a damper"))
+            PyValueError::new_err(format!(
+                "there is no finite force at {} m/s: it is no velocity of a damper",
+                format_number(v)
+            ))
         })?;
         Ok(PyArray1::from_vec(py, forces))
     }
@@ -225,8 +229,8 @@ impl Model {
         if let Some(k) = time.windows(2).position(|t| !(t[0] < t[1] && t[1].is_finite() && t[0].is_finite())) {
             return Err(PyValueError::new_err(format!(
                 "time_s must increase from sample to sample, and does not from {} to {} s",
-                time[k],
-                time[k + 1]
+                format_number(time[k]),
+                format_number(time[k + 1])
             )));
         }
         if record.displacement.is_none() && record.velocity.is_none() {

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
-use dashpot_messages::{Sentence, Template};
+use dashpot_messages::{Sentence, Template, format_decimals, format_number};
 
 /// Lists the supported file extensions, for messages.
 fn kinds() -> Sentence {
@@ -84,8 +84,8 @@ impl FilesUnit {
             .then(|| Sentence::from(phrases::OR_THE_OTHERS).with_sentence("others", name_several(&self.others)));
         let figure = |value: f64| match value {
             v if v < 0.1 => format!("{v:.2e}"),
-            v if v < 10.0 => format!("{v:.3}"),
-            v => format!("{v:.0}"),
+            v if v < 10.0 => format_decimals(v, 3),
+            v => format_decimals(v, 0),
         };
         let first = self.likely.first().map_or("", |unit| unit.name());
         Sentence::from(phrases::FILES_UNIT)
@@ -394,6 +394,14 @@ pub enum RecordError {
         channel: Channel,
     },
 
+    MotionBeyond {
+        at: Place,
+        line: usize,
+        channel: Channel,
+        value: f64,
+        limit: f64,
+    },
+
     MotionTime {
         at: Place,
         line: usize,
@@ -478,32 +486,33 @@ impl RecordError {
                 .with("count", count)
                 .with("rows", rows)
                 .with_any("advice", channel.leave_out_advice()),
-            RecordError::ConstantTime { at, time } => of(phrases::CONSTANT_TIME, at).with("time", time),
-            RecordError::TimeBackwards { at, line, from, to } => {
-                of(phrases::TIME_BACKWARDS, at).with("line", line).with("from", from).with("to", to)
-            }
+            RecordError::ConstantTime { at, time } => of(phrases::CONSTANT_TIME, at).with("time", format_number(*time)),
+            RecordError::TimeBackwards { at, line, from, to } => of(phrases::TIME_BACKWARDS, at)
+                .with("line", line)
+                .with("from", format_number(*from))
+                .with("to", format_number(*to)),
             RecordError::Frozen { at, channel, first, last, value, seconds, moving, advice } => of(phrases::FROZEN, at)
                 .with("first", first)
                 .with("last", last)
                 .with_sentence("channel", channel.message())
-                .with("value", format!("{value:.6}"))
+                .with("value", format_decimals(*value, 6))
                 .with("unit", channel.si())
-                .with("seconds", format!("{seconds:.3}"))
+                .with("seconds", format_decimals(*seconds, 3))
                 .with_sentence("moving", *moving)
                 .with_sentence("advice", *advice),
             RecordError::Clipped { at, line, channel, value, percent, advice } => of(phrases::CLIPPED, at)
                 .with("line", line)
                 .with_sentence("channel", channel.message())
-                .with("value", format!("{value:.5}"))
+                .with("value", format_decimals(*value, 5))
                 .with("unit", channel.si())
-                .with("percent", format!("{percent:.1}"))
+                .with("percent", format_decimals(*percent, 1))
                 .with_sentence("advice", *advice),
             RecordError::NoMotion { at, channel, range, unit } => of(phrases::NO_MOTION, at)
                 .with_sentence("channel", channel.message())
-                .with("range", format!("{range:.4}"))
+                .with("range", format_decimals(*range, 4))
                 .with("unit", unit),
             RecordError::ConstantForce { at, value } => {
-                of(phrases::CONSTANT_FORCE, at).with("value", format!("{value:.6}"))
+                of(phrases::CONSTANT_FORCE, at).with("value", format_decimals(*value, 6))
             }
             RecordError::Cell { at, line, column, text, hint } => {
                 let cell = of(phrases::CELL, at).with("line", line).with("column", column).with("text", text);
@@ -560,8 +569,8 @@ impl RecordError {
             RecordError::MixedCurrent { record, test, current, others } => Sentence::from(phrases::MIXED_CURRENT)
                 .with("record", record)
                 .with("test", test)
-                .with("current", format!("{current:.0}"))
-                .with("others", format!("{others:.2}")),
+                .with("current", format_decimals(*current, 0))
+                .with("others", format_decimals(*others, 2)),
             RecordError::PeakTable { at, line, cause } => {
                 in_line(phrases::IN_LINE, at, line).with_sentence("cause", Sentence::as_it_is(cause))
             }
@@ -619,8 +628,16 @@ impl RecordError {
             RecordError::MotionGap { at, line, channel } => {
                 in_line(phrases::MOTION_GAP, at, line).with_sentence("channel", channel.message())
             }
-            RecordError::MotionTime { at, line, from, to } => {
-                in_line(phrases::MOTION_TIME, at, line).with("to", to).with("from", from)
+            RecordError::MotionTime { at, line, from, to } => in_line(phrases::MOTION_TIME, at, line)
+                .with("to", format_number(*to))
+                .with("from", format_number(*from)),
+            RecordError::MotionBeyond { at, line, channel, value, limit } => {
+                let with_unit =
+                    |number: f64| format!("{} {}", format_number(number), channel.si()).trim_end().to_owned();
+                in_line(phrases::MOTION_BEYOND, at, line)
+                    .with_sentence("channel", channel.message())
+                    .with("value", with_unit(*value))
+                    .with("limit", with_unit(*limit))
             }
             RecordError::ShortMotion { at } => of(phrases::SHORT_MOTION, at),
             RecordError::SeveralMotions { file, first, second } => {
@@ -634,7 +651,7 @@ impl RecordError {
                 .with("count", count)
                 .with("all", all)
                 .with("record", record)
-                .with("noise", format!("{noise:.3}")),
+                .with("noise", format_decimals(*noise, 3)),
             RecordError::Indispensable { channel } => {
                 Sentence::from(phrases::INDISPENSABLE).with_sentence("channel", channel.message())
             }

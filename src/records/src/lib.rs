@@ -30,7 +30,7 @@ mod texts;
 mod tuning;
 
 pub use campaign::common_clock::apart;
-pub use campaign::imposed_motion::{MotionRecord, read_force_of_motion, read_motion};
+pub use campaign::imposed_motion::{MotionRecord, motion_limit, read_force_of_motion, read_motion};
 pub use campaign::loading::{Campaign, Progress, load};
 pub use campaign::motion_setting::{MotionSetting, SettingSource};
 pub use campaign::profile::Profile;

@@ -3,6 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::str::FromStr;
 
+use dashpot_messages::format_number;
 use serde::{Deserialize, Serialize};
 
 use crate::dates::date_order::DateOrder;
@@ -125,11 +126,6 @@ impl Default for Options {
     }
 }
 
-/// Formats a number of the user. A huge number has an exponent instead of hundreds of digits.
-fn figure(value: f64) -> String {
-    if value.abs() < 1e9 { format!("{value}") } else { format!("{value:e}") }
-}
-
 impl Options {
     /// Checks that the numbers are within their limits, and that the rules for settings and the ignored channels are
     /// valid.
@@ -139,12 +135,20 @@ impl Options {
     /// force.
     pub fn check(&self) -> Result<(), String> {
         if !(self.delay_s.abs() <= LONGEST_DELAY) {
-            return Err(format!("a delay of {} s cannot be; give it in seconds, such as 0.012", figure(self.delay_s)));
+            return Err(format!(
+                "a delay of {} s cannot be; give it in seconds, such as 0.012, of {LONGEST_DELAY} s at most",
+                format_number(self.delay_s)
+            ));
         }
         if let Some(rate) = self.sample_rate_hz
             && !(SAMPLE_RATES.0..=SAMPLE_RATES.1).contains(&rate)
         {
-            return Err(format!("a sample rate of {} cannot be; give samples per second, such as 1000", figure(rate)));
+            return Err(format!(
+                "a sample rate of {} cannot be; give samples per second, such as 1000, of {} to {}",
+                format_number(rate),
+                SAMPLE_RATES.0,
+                SAMPLE_RATES.1
+            ));
         }
         let gains = std::iter::once((Channel::Force, self.gain)).chain(self.gains.iter().map(|(c, gain)| (*c, *gain)));
         for (channel, gain) in gains {
@@ -155,7 +159,7 @@ impl Options {
                 let of = if channel == Channel::Force { String::new() } else { format!(" of {channel}") };
                 return Err(format!(
                     "a gain{of} of {} cannot be; give a factor above 0, of {} to {}, and turn a sign with flip",
-                    figure(gain),
+                    format_number(gain),
                     GAINS.0,
                     GAINS.1
                 ));
@@ -163,8 +167,8 @@ impl Options {
         }
         if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
             return Err(format!(
-                "a mass of {} kg on the load cell cannot be; give it in kg, such as 1.2",
-                figure(self.rig_mass_kg)
+                "a rig mass of {} kg on the load cell cannot be; give it in kg, such as 1.2, of {LARGEST_MASS} kg at most",
+                format_number(self.rig_mass_kg)
             ));
         }
         self.settings.check()?;
@@ -178,7 +182,7 @@ impl Options {
         ];
         match limited.into_iter().find(|(_, value, largest, _)| !(value.abs() <= *largest)) {
             Some((name, value, largest, unit)) => {
-                Err(format!("a {name} of {} {unit} cannot be; it is at most {largest} {unit}", figure(value)))
+                Err(format!("a {name} of {} {unit} cannot be; it is at most {largest} {unit}", format_number(value)))
             }
             None => Ok(()),
         }
@@ -245,8 +249,20 @@ mod tests {
         for (change, limit) in limits {
             assert!(check(change, 0.75 * limit) && !check(change, 1.35 * limit), "{limit}");
         }
-        let huge = Options { displacement_zero_m: 1e308, ..Options::default() };
-        assert!(huge.check().unwrap_err().contains("displacement zero of 1e308 m"));
+        let named = ["delay", "sample rate", "gain", "force zero", "initial position", "mass", "displacement zero"];
+        for (k, (change, _)) in limits.iter().enumerate() {
+            for value in [1e308, -1e308, f64::NAN, f64::INFINITY] {
+                let mut options = Options::default();
+                change(&mut options, value);
+                let message = options.check().unwrap_err();
+                let name = named.get(k).copied().unwrap_or("gain of displacement");
+                assert!(message.contains(name) && message.contains(&format_number(value)), "{message}");
+                assert!(message.len() < 300, "{message}");
+            }
+        }
+        for (change, _) in [limits[1], limits[2], limits[7]] {
+            assert!(!check(change, 0.0) && !check(change, 1e-308));
+        }
         for (change, limit) in [(limits[1].0, 1e-3), (limits[2].0, 1e-4), (limits[7].0, 1e-4)] {
             assert!(check(change, 1.35 * limit) && !check(change, 0.75 * limit), "{limit}");
         }

@@ -613,6 +613,12 @@ pub(crate) mod options {
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const LARGEST_POSITION: f64 = 10.0;
 
+    /// Largest magnitude of a setting that the rules accept, in its own unit. It equals the largest of a model file,
+    /// which values in revolutions per minute or pascals do not reach.
+    ///
+    /// Test: `settings_beyond_their_bounds_are_rejected`.
+    pub(crate) const LARGEST_SETTING: f64 = 1e9;
+
     /// Largest mass on a load cell that the options accept, kg. A heavy truck damper with its clamps has a smaller
     /// mass. A larger number is likely in grams. A negative mass reverses an excessive compensation by the rig.
     ///

@@ -1270,6 +1270,7 @@ records-flip-either = die Kraft im Stillstand ist zu klein, um zu sagen, welche.
 
 ## What reading says of records. A motion to be imposed.
 
+records-motion-beyond = { $at }, Zeile { $line }: { $channel } ist { $value }, eine Bewegung bleibt aber in ±{ $limit }; die Einheit der Spalte prüfen, die --unit nennt
 records-motion-gap = { $at }, Zeile { $line }: { $channel } fehlt oder ist keine Zahl; eine Bewegung wird genommen, wie sie ist, also die Lücke füllen oder abschneiden
 records-motion-time = { $at }, Zeile { $line }: die Zeit steigt nicht: auf { $from } s folgt { $to } s; eine Bewegung braucht steigende Zeit
 records-short-motion = { $at }: hat eine Zeile; eine Bewegung braucht mindestens zwei

@@ -1270,6 +1270,7 @@ records-flip-either = l’effort à l’arrêt est trop petit pour dire lequel d
 
 ## What reading says of records. A motion to be imposed.
 
+records-motion-beyond = { $at }, ligne { $line } : { $channel } vaut { $value }, or un mouvement reste dans ±{ $limit } ; vérifier l’unité de la colonne, que --unit indique
 records-motion-gap = { $at }, ligne { $line } : { $channel } manque ou n’est pas un nombre ; un mouvement est pris tel quel, combler ou couper la lacune
 records-motion-time = { $at }, ligne { $line } : le temps n’augmente pas : { $to } s vient après { $from } s ; un mouvement demande un temps croissant
 records-short-motion = { $at } : a une ligne ; un mouvement en demande au moins deux

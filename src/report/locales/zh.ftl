@@ -1258,6 +1258,7 @@ records-flip-either = 静止时的力太小，无法判断是哪一个。若压�
 
 ## What reading says of records. A motion to be imposed.
 
+records-motion-beyond = { $at }，第 { $line } 行：{ $channel }为{ $value }，而运动不超过±{ $limit }；请检查该列的单位（可用 --unit 指明）
 records-motion-gap = { $at }，第 { $line } 行：{ $channel }缺失或不是数字；运动按原样使用，请补全或截去
 records-motion-time = { $at }，第 { $line } 行：时间没有递增：{ $from } s 之后是 { $to } s；运动需要递增的时间
 records-short-motion = { $at }：只有一行；运动至少需要两行

@@ -15,6 +15,8 @@ pub mod context;
 pub mod measured;
 pub mod request;
 
+use dashpot_messages::format_number;
+
 /// Reason why a case cannot be made.
 #[derive(Debug, thiserror::Error)]
 pub enum SeverityError {
@@ -37,7 +39,7 @@ pub enum SeverityError {
     #[error("the case's records have other samples than those of the neutral damper")]
     OtherSamples,
     /// No strength has this severity with these tests.
-    #[error("{effect} reaches a severity of {reached:.2} with these tests, not {wanted}: the model absorbs the rest")]
+    #[error("{effect} reaches a severity of {reached:.2} with these tests, not {}: the model absorbs the rest", format_number(*wanted))]
     OutOfReach {
         /// Name of the effect.
         effect: String,

@@ -2,6 +2,7 @@
 
 use crate::SeverityError;
 use crate::case::Case;
+use dashpot_messages::format_number;
 use dashpot_rig::{NOTHING, Options, Plan, RigError};
 
 /// Requested effects: name, or `name:form` for one physical form, with its severity or strength if stated.
@@ -18,6 +19,9 @@ pub enum Numbers {
 
 /// Strength of a typical strong case. It is the default if no number is stated.
 const TYPICAL: f64 = 1.0;
+
+/// Highest accepted severity, in units of the noise. Strong is 4, and no effect reaches this one with the sensors of a rig.
+const HIGHEST: f64 = 1000.0;
 
 fn refused(problem: String) -> SeverityError {
     RigError::Option { option: "hide", problem }.into()
@@ -50,8 +54,9 @@ pub fn strengths(
     let severities: Vec<(String, f64)> = asked.iter().filter_map(|(n, s)| s.map(|s| (n.clone(), s))).collect();
     let mut found = Vec::new();
     if !severities.is_empty() {
-        if let Some((name, number)) = severities.iter().find(|(_, number)| !number.is_finite()) {
-            return Err(refused(format!("'{number}' is no severity of '{name}'; give a number")));
+        if let Some((name, number)) = severities.iter().find(|(_, number)| !(0.0..=HIGHEST).contains(number)) {
+            let number = format_number(*number);
+            return Err(refused(format!("'{number}' is no severity of '{name}'; give 0 to {HIGHEST}")));
         }
         let Some(plan) = plan else { return Err(SeverityError::OwnTests) };
         if options.noise_percent <= 0.0 {
@@ -99,9 +104,11 @@ mod tests {
             describe(&[("ghosts", Some(2.0))], Numbers::Severities, plan, 1.0)
                 .contains("gas_spring, stribeck_friction")
         );
-        assert!(
-            describe(&[("bushing", Some(f64::NAN))], Numbers::Severities, plan, 1.0).contains("'NaN' is no severity")
-        );
+        for severity in [1e308, -1e308, -1e-308, 1001.0, f64::NAN, f64::INFINITY] {
+            let message = describe(&[("bushing", Some(severity))], Numbers::Severities, plan, 1.0);
+            let named = format!("'{}' is no severity of 'bushing'; give 0 to 1000", format_number(severity));
+            assert!(message.contains(&named) && message.len() < 300, "{message}");
+        }
         let beside = describe(&[(NOTHING, None), ("bushing", None)], Numbers::Strengths, plan, 1.0);
         assert!(beside.contains("give one or the other"), "{beside}");
     }

@@ -3,10 +3,14 @@
 use dashpot_core::family::Family;
 use dashpot_core::step::force_in_place;
 use dashpot_core::{Input, Model};
-use dashpot_records::MotionRecord;
+use dashpot_messages::format_number;
+use dashpot_records::{Channel, MotionRecord, motion_limit};
 
 /// Largest number of rows of a resampled motion. More rows are rejected, because this number already gives some gigabytes of output.
 pub const MOST_ROWS: usize = 50_000_000;
+
+/// Largest initial position that a user may state, m: the travel of the longest drive, as for records.
+const FARTHEST: f64 = 10.0;
 
 /// Number of samples between two reports of progress.
 ///
@@ -55,14 +59,18 @@ pub enum ImposeError {
          velocity alone. Leave it out, or leave the displacement unread with --ignore displacement"
     )]
     InitialPositionKnown,
-    /// The initial position is not finite.
-    #[error("the initial position is {0} m, which is no position")]
+    /// The initial position is not finite, or larger than [`FARTHEST`].
+    #[error("the initial position is {} m, which is no position; give -{FARTHEST} to {FARTHEST} m", format_number(*.0))]
     InitialPosition(f64),
     /// The step is not positive.
-    #[error("the step is {0} s; it must be above zero")]
+    #[error("the step is {} s; it must be above zero and at most the duration of the motion", format_number(*.0))]
     Step(f64),
     /// The step is longer than the motion.
-    #[error("the step of {step} s is longer than the motion, which lasts {duration} s")]
+    #[error(
+        "the step of {} s is longer than the motion, which lasts {} s",
+        format_number(*step),
+        format_number(*duration)
+    )]
     LongStep {
         /// The step, s.
         step: f64,
@@ -70,7 +78,12 @@ pub enum ImposeError {
         duration: f64,
     },
     /// The step gives more than [`MOST_ROWS`] rows.
-    #[error("a step of {step} s makes {rows:.0} rows of a motion of {duration} s; at most {MOST_ROWS} are written")]
+    #[error(
+        "a step of {} s makes {} rows of a motion of {} s; at most {MOST_ROWS} are written, so give a longer step",
+        format_number(*step),
+        format_number(rows.round()),
+        format_number(*duration)
+    )]
     ShortStep {
         /// The step, s.
         step: f64,
@@ -79,8 +92,17 @@ pub enum ImposeError {
         /// Number of rows.
         rows: f64,
     },
+    /// A channel is larger than [`motion_limit`]: time, s, name of the quantity, value and limit.
+    #[error(
+        "at {} s the {} is {}; a motion has at most {}, so check its units",
+        format_number(*.0),
+        .1,
+        format_number(*.2),
+        format_number(*.3)
+    )]
+    Beyond(f64, Channel, f64, f64),
     /// The velocity or the force is not finite: time, s, and name of the quantity.
-    #[error("at {0} s the {1} is no finite number any more; check the units of the motion")]
+    #[error("at {} s the {} is no finite number any more; check the units of the motion", format_number(*.0), .1)]
     NotFinite(f64, &'static str),
 }
 
@@ -94,7 +116,7 @@ impl ImposedMotion {
     ///
     /// # Errors
     /// Returns an error if an initial position is given for a motion with displacement. Also returns an error if the initial position or a
-    /// velocity is not finite.
+    /// velocity is not finite, or if a channel is beyond [`motion_limit`].
     pub fn new(record: MotionRecord, initial_position: Option<f64>) -> Result<ImposedMotion, ImposeError> {
         let MotionRecord { time, displacement, velocity, side_force, temperature, setting, .. } = record;
         let setting = setting.map(|of| of.values);
@@ -104,11 +126,25 @@ impl ImposedMotion {
             (Some(x), None) => (x.first().copied().unwrap_or(0.0), spline_slopes(&time, x)),
             (None, v) => (initial_position.unwrap_or(0.0), v.unwrap_or_default()),
         };
-        if !initial_position.is_finite() {
+        let is_stated = displacement.is_none();
+        if !initial_position.is_finite() || is_stated && initial_position.abs() > FARTHEST {
             return Err(ImposeError::InitialPosition(initial_position));
         }
         if let Some(row) = velocity.iter().position(|v| !v.is_finite()) {
             return Err(ImposeError::NotFinite(time[row], "velocity"));
+        }
+        for (channel, values) in [
+            (Channel::Time, Some(&time)),
+            (Channel::Displacement, displacement.as_ref()),
+            (Channel::Velocity, Some(&velocity)),
+            (Channel::SideForce, side_force.as_ref()),
+            (Channel::Temperature, temperature.as_ref()),
+            (Channel::Setting, setting.as_ref()),
+        ] {
+            let (values, limit) = (values.map_or(&[][..], Vec::as_slice), motion_limit(channel));
+            if let Some(row) = values.iter().position(|value| value.abs() > limit) {
+                return Err(ImposeError::Beyond(time[row], channel, values[row], limit));
+            }
         }
         Ok(ImposedMotion { time, displacement, velocity, side_force, temperature, setting, initial_position })
     }
@@ -435,6 +471,47 @@ mod tests {
             ..MotionRecord::default()
         };
         assert!(matches!(ImposedMotion::new(absurd, None), Err(ImposeError::NotFinite(_, "velocity"))));
+    }
+
+    #[test]
+    fn numbers_beyond_their_bounds_are_rejected_in_a_short_sentence() {
+        let still = || MotionRecord { time: vec![0.0, 1.0], velocity: Some(vec![0.0; 2]), ..MotionRecord::default() };
+        let message = |record: MotionRecord, position: Option<f64>, step: f64| {
+            let made = ImposedMotion::new(record, position).and_then(|motion| motion.resampled(step));
+            made.map(|_| ()).map_err(|error| error.to_string())
+        };
+        for value in [1e308, -1e308, f64::NAN, f64::INFINITY] {
+            let of_position = message(still(), Some(value), 0.1).unwrap_err();
+            assert!(
+                of_position.starts_with("the initial position is") && of_position.contains("-10 to 10"),
+                "{of_position}"
+            );
+            let of_step = message(still(), None, value).unwrap_err();
+            assert!(of_step.starts_with("the step"), "{of_step}");
+            for said in [of_position, of_step] {
+                assert!(said.contains(&format_number(value)) && said.len() < 300, "{said}");
+            }
+        }
+        for step in [0.0, 1e-308] {
+            let said = message(still(), None, step).unwrap_err();
+            assert!(said.contains("step") && said.len() < 300, "{said}");
+        }
+        assert_eq!(message(still(), Some(1e-308), 0.1), Ok(()));
+        let two = |value: f64| Some(vec![0.0, value]);
+        for value in [1e308, -1e308] {
+            for record in [
+                MotionRecord { displacement: two(value), ..still() },
+                MotionRecord { velocity: two(value), ..still() },
+                MotionRecord { side_force: two(value), ..still() },
+                MotionRecord { temperature: two(value), ..still() },
+            ] {
+                let said = message(record, None, 0.1).unwrap_err();
+                assert!(said.contains(&format_number(value)) && said.len() < 300, "{said}");
+            }
+        }
+        // A short time between two samples gives the computed velocity, which has no column of its own.
+        let fast = MotionRecord { time: vec![0.0, 1e-6], displacement: two(0.1), velocity: None, ..still() };
+        assert!(message(fast, None, 1e-6).unwrap_err().contains("velocity is 100000;"));
     }
 
     proptest! {

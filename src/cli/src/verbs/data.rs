@@ -27,7 +27,7 @@ pub struct DataArgs {
     #[command(flatten)]
     sensors: SensorArgs,
     /// Samples per second of files without a time column
-    #[arg(long, value_name = "HZ")]
+    #[arg(long, value_name = "HZ", allow_negative_numbers = true)]
     sample_rate: Option<f64>,
     /// Order of day and month in dates such as 3/11/2026; determined from the files if not given
     #[arg(long, value_name = "day-first|month-first")]

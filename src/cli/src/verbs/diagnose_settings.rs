@@ -6,7 +6,7 @@ use super::diagnosed::{Diagnosed, examine};
 use super::model;
 use crate::progress::Progress;
 use anyhow::bail;
-use dashpot_core::family::Axis;
+use dashpot_core::family::{Axis, LARGEST_SETTING};
 use dashpot_diagnosis::settings::{
     OverSettings, SettingFigures, SettingPart, SettingsFigures, WithSettings, is_shown, split_by_setting,
 };
@@ -66,9 +66,9 @@ pub fn of_model(args: &Args, model: ModelFile) -> anyhow::Result<()> {
     check(args, &args.model.display().to_string())?;
     let given = match &args.setting {
         None => None,
-        Some(text) => Some(text.parse::<f64>().ok().filter(|value| value.is_finite()).ok_or_else(|| {
+        Some(text) => Some(text.parse::<f64>().ok().filter(|value| value.abs() <= LARGEST_SETTING).ok_or_else(|| {
             anyhow::anyhow!(
-                "--setting is the setting of tests that say none, a number, where a model is given; {text:?} is none"
+                "--setting is the setting of tests that say none, a number from -1e9 to 1e9, where a model is given; {text:?} is none"
             )
         })?),
     };

@@ -9,13 +9,13 @@ use dashpot_simulation::chatter::{Host, HostError, Ready};
 #[derive(clap::Args, Debug, Clone)]
 pub struct HostArgs {
     /// Step of the host, s, for the assessment of chatter
-    #[arg(long, value_name = "S", value_parser = seconds, default_value_t = Host::TYPICAL.step)]
+    #[arg(long, value_name = "S", value_parser = seconds, default_value_t = Host::TYPICAL.step, allow_negative_numbers = true)]
     host_step: f64,
     /// Lightest mass that the damper moves, kg
-    #[arg(long, value_name = "KG", default_value_t = Host::TYPICAL.mass)]
+    #[arg(long, value_name = "KG", default_value_t = Host::TYPICAL.mass, allow_negative_numbers = true)]
     wheel_mass: f64,
     /// Replace friction that chatters in a host of this step, s, by presliding friction. The resulting change of force is reported
-    #[arg(long, value_name = "S", value_parser = seconds)]
+    #[arg(long, value_name = "S", value_parser = seconds, allow_negative_numbers = true)]
     for_step: Option<f64>,
 }
 

@@ -2,6 +2,7 @@
 
 use dashpot_core::family::Axis;
 use dashpot_identification::model_file::{self, ModelFile, ModelFileError};
+use dashpot_messages::format_number;
 use std::path::Path;
 
 /// Reads a model file of an ordinary damper, and prints its notes.
@@ -27,5 +28,5 @@ pub fn setting_name(axis: &Axis) -> &str {
 
 /// Formats a value of the setting: `current = 0.8 A`.
 pub fn setting_at(axis: &Axis, value: f64) -> String {
-    format!("{} = {value} {}", setting_name(axis), axis.unit()).trim_end().to_owned()
+    format!("{} = {} {}", setting_name(axis), format_number(value), axis.unit()).trim_end().to_owned()
 }

@@ -5,6 +5,7 @@ use crate::quantity::SettingText;
 use anyhow::bail;
 use dashpot_identification::family::at_setting;
 use dashpot_identification::model_file::with_tables;
+use dashpot_messages::format_number;
 use std::path::PathBuf;
 
 /// Evaluate an adjustable damper at one setting, and write the result as an ordinary damper
@@ -37,6 +38,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let setting = args.setting.in_unit_of(&file.axis)?;
     let (low, high) = file.axis.range();
     if !(low..=high).contains(&setting) {
+        let [setting, low, high] = [setting, low, high].map(format_number);
         bail!("the setting {setting} lies outside those of {}, {low} to {high}", args.model.display());
     }
     let named = args.model.file_name().unwrap_or_default().to_string_lossy();

@@ -5,9 +5,13 @@ use crate::quantity::{SettingText, seconds};
 use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_identification::setting_units::is_of_axis;
+use dashpot_messages::format_number;
 use dashpot_records::{Channel, MotionSetting, SettingSource, is_same_setting, restrict};
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use std::path::Path;
+
+/// Largest magnitude of a time of `--setting`, s. It includes times of a clock in seconds since 1970.
+const LATEST: f64 = 1e10;
 
 /// Settings over time from the option `--setting`: start time, s, and setting of each entry.
 #[derive(Debug, Clone, PartialEq)]
@@ -28,7 +32,12 @@ impl Schedule {
         let mut all = Vec::new();
         for part in text.split(',') {
             let (time, value) = part.split_once(':').ok_or_else(|| format!("{part:?} has no time, as in 1.5:1.2"))?;
-            all.push((seconds(time)?, setting(value)?));
+            let start = seconds(time)?;
+            if start.abs() > LATEST {
+                let (start, latest) = (format_number(start), format_number(LATEST));
+                return Err(format!("the time {start} s is beyond any motion; give -{latest} to {latest} s"));
+            }
+            all.push((start, setting(value)?));
         }
         if all.windows(2).any(|pair| pair[1].0 <= pair[0].0) {
             return Err("the times must increase".to_owned());
@@ -154,6 +163,7 @@ impl Commands {
         let (_, value) = schedule.iter().find(|(_, value)| is_outside(*value))?;
         let all = motion.time.len();
         let count = (0..all).filter(|sample| is_outside(self.command(motion, *sample))).count();
+        let [value, low, high] = [*value, low, high].map(format_number);
         Some(format!(
             "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them at {count} of {all} samples; \
              check its unit"
@@ -164,6 +174,7 @@ impl Commands {
     pub fn unreached(&self, end: f64) -> Option<String> {
         let Source::Schedule(schedule, _) = &self.source else { return None };
         let (from, value) = schedule.iter().find(|(from, _)| *from > end)?;
+        let [end, value, from] = [end, *value, *from].map(format_number);
         Some(format!(
             "the motion ends at {end} s, so the setting {value} from {from} s on is never reached; times are in s, or with a unit such as 500ms"
         ))
@@ -221,7 +232,9 @@ fn describe(of: &MotionSetting, motion: &Path) -> String {
     let (low, high) = range(of);
     let size = low.abs().max(high.abs());
     let [low, high] = [low, high].map(|value| rounded(value, size));
-    let values = if low < high { format!("{low} to {high} {}", of.unit) } else { format!("{low} {}", of.unit) };
+    let is_one = low >= high;
+    let [low, high] = [low, high].map(format_number);
+    let values = if is_one { format!("{low} {}", of.unit) } else { format!("{low} to {high} {}", of.unit) };
     let source = match &of.source {
         SettingSource::Column(heading, _) => format!("from the column '{heading}' of {}", name_of(motion)),
         SettingSource::Name { .. } => format!("from the name {}", name_of(motion)),
@@ -237,6 +250,7 @@ fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
     let is_outside = |value: f64| !is_same_setting(value, restrict(value, low, high));
     let count = of.values.iter().filter(|value| is_outside(**value)).count();
     (count > 0).then(|| {
+        let [low, high] = [low, high].map(format_number);
         format!(
             "at {count} of {} samples the {} lies outside the settings of the model file, {low} to {high}, and is clamped to them",
             of.values.len(),
@@ -259,6 +273,23 @@ mod tests {
         assert_eq!(values("0:400mA, 500ms:1.2A,1.5:0").unwrap(), [(0.0, 0.4), (0.5, 1.2), (1.5, 0.0)]);
         assert!(values("3bar").unwrap_err().to_string().contains("counted in A"));
         assert!(Schedule::parse("1:0,0:1").is_err() && Schedule::parse("0:0.4,1.2").is_err());
+    }
+
+    #[test]
+    fn times_and_settings_beyond_their_bounds_are_rejected() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 1.6]).unwrap();
+        let values = |text: &str| match Schedule::parse(text) {
+            Ok(schedule) => schedule.values(&axis).map(|_| ()).map_err(|why| why.to_string()),
+            Err(why) => Err(why),
+        };
+        for bad in ["1e308", "-1e308", "nan", "inf"] {
+            for text in [bad.to_owned(), format!("0:{bad}"), format!("{bad}:1"), format!("0:0.4,{bad}:1")] {
+                let message = values(&text).unwrap_err();
+                assert!(message.contains(bad) && message.len() < 300, "{text}: {message}");
+            }
+        }
+        assert!(values("1e-308:1e-308").is_ok() && values("-1:0").is_ok());
     }
 
     #[test]

@@ -15,7 +15,7 @@ pub const MAX_NUMBERS: usize = 32;
 /// Largest number of bytes of the setting's name and unit.
 pub const MAX_TEXT: usize = 31;
 /// Largest magnitude of a setting, in its own unit. Even values in revolutions per minute or pascals are below it.
-const LARGEST: f64 = 1e9;
+pub const LARGEST_SETTING: f64 = 1e9;
 /// Smallest interval between two grid values, relative to the range of the grid. A grid with closer values is rejected.
 const LEAST_INTERVAL: f64 = 1e-6;
 
@@ -42,7 +42,7 @@ pub const ENTRIES: [Entry; 8] = [
     entry(
         "setting_start",
         "*",
-        (-LARGEST, LARGEST),
+        (-LARGEST_SETTING, LARGEST_SETTING),
         "setting where the host gives none, and at the start; the first of the grid where it is not given",
     ),
     entry("setting_time_up", "s", (0.0, 100.0), "time constant of the actuator while the setting rises; 0: none"),
@@ -53,7 +53,7 @@ pub const ENTRIES: [Entry; 8] = [
     entry(
         "setting_hysteresis",
         "*",
-        (0.0, LARGEST),
+        (0.0, LARGEST_SETTING),
         "how far the valve stands behind the setting after a long way up, and ahead of it after one down",
     ),
     entry(
@@ -575,7 +575,7 @@ fn keep(slot: &mut [u8; MAX_TEXT + 1], text: &[u8]) -> Result<(), Fault> {
 
 pub(crate) fn check_grid(grid: &[f64]) -> Result<(), Reason> {
     let (Some(first), Some(last)) = (grid.first(), grid.last()) else { return Err(Reason::SettingGrid) };
-    let known = grid.iter().all(|value| value.abs() <= LARGEST);
+    let known = grid.iter().all(|value| value.abs() <= LARGEST_SETTING);
     let least = LEAST_INTERVAL * (last - first);
     let apart = grid.iter().zip(grid.iter().skip(1)).all(|(a, b)| b - a > 0.0 && b - a >= least);
     if known && apart && (2..=MAX_GRID).contains(&grid.len()) { Ok(()) } else { Err(Reason::SettingGrid) }

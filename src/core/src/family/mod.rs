@@ -33,6 +33,6 @@ pub(crate) mod lending;
 pub mod prepared;
 pub(crate) mod section;
 
-pub use axis::{Axis, Definition};
+pub use axis::{Axis, Definition, LARGEST_SETTING};
 pub use delay::Delay;
 pub use prepared::{BySetting, Family};

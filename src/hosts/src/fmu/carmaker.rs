@@ -4,8 +4,10 @@
 //! The file maps quantities of CarMaker to variables of the FMU. Its format follows the templates of IPG: see `vi-crt-bridge/FACTS.md`.
 
 use super::scales::Scales;
+use crate::damper_length::SHORTEST;
 use crate::plain_curve::PlainCurve;
 use anyhow::bail;
+use dashpot_messages::format_number;
 use std::fmt::Write as _;
 
 /// Longest accepted length of a damper, m. A larger number is probably a length in mm. A damper of a heavy truck reaches 1 m, and the limit
@@ -22,8 +24,11 @@ impl Scales {
     /// # Errors
     /// The length is impossible for a damper.
     pub fn carmaker(length: f64) -> anyhow::Result<Scales> {
-        if !(length > 0.0 && length <= LONGEST) {
-            bail!("--carmaker takes the length of the damper in m, above 0 and up to {LONGEST}, not {length}");
+        if !(SHORTEST..=LONGEST).contains(&length) {
+            bail!(
+                "--carmaker takes the length of the damper in m, {SHORTEST} to {LONGEST}, not {}",
+                format_number(length)
+            );
         }
         Ok(Scales { motion: 1.0, force: -1.0, position_offset: -length, start: length })
     }

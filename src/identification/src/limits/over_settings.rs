@@ -4,6 +4,7 @@ use super::measured::Figures;
 use super::table::{Limit, Quantity};
 use super::{Certificate, Checked, Overall, Value, Verdict};
 use crate::validation::{ResponseTimes, StepGroup, StepResponse, TimeUncertainty};
+use dashpot_messages::format_number;
 use dashpot_records::{Record, is_same_setting, restate_in_unit};
 
 /// Reason why limits do not match the damper.
@@ -21,7 +22,8 @@ pub enum SettingLimitError {
     },
     /// A limit has a setting, but the damper has none.
     #[error(
-        "the limit {name} in line {line} holds at the setting {setting}, and the damper depends on none: leave the column setting out"
+        "the limit {name} in line {line} holds at the setting {}, and the damper depends on none: leave the column setting out",
+        format_number(*setting)
     )]
     OfOrdinary {
         /// Name of the limit.

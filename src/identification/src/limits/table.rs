@@ -1,5 +1,7 @@
 //! File of limits: a table from a spreadsheet with one limit in each row.
 
+use dashpot_core::family::LARGEST_SETTING;
+use dashpot_messages::format_number;
 use dashpot_records::{Dimension, Unit, delimiter, split_unit};
 use serde::Serialize;
 use std::path::{Path, PathBuf};
@@ -57,6 +59,20 @@ impl Quantity {
         if self.is_time() { ("ms", 1e3) } else { ("N", 1.0) }
     }
 
+    /// Checks that a number of the table in N or s is one that a damper can have. `name` is the column in messages.
+    fn check(self, name: &str, value: f64) -> Result<(), String> {
+        let number = format_number(value);
+        match self.is_time() {
+            true if !(value.abs() <= LONGEST) => Err(format!(
+                "{name} = {number} s is no response of a valve; give {LONGEST} s or less, with its unit, such as ms, in a column unit"
+            )),
+            false if !(value.abs() <= LARGEST_FORCE) => Err(format!(
+                "{name} = {number} N is beyond the force of any damper; give -1e6 to 1e6 N, and leave the cell empty where there is no limit"
+            )),
+            _ => Ok(()),
+        }
+    }
+
     /// Returns the quantity with this name. Ignores case, and accepts spaces or hyphens instead of underscores.
     ///
     /// # Errors
@@ -98,6 +114,19 @@ pub struct Limit {
 /// Largest accepted limit on a response time, s. No valve is slower, so a larger number is rejected as milliseconds without their unit.
 const LONGEST: f64 = 2.0;
 
+/// Largest accepted magnitude of a limit on a force, N: the range of a load cell for heavy vehicles.
+const LARGEST_FORCE: f64 = 1e6;
+
+/// Largest accepted tolerance in percent. A wider one is no tolerance but a limit on one side, which `low` or `high` states.
+const LARGEST_PERCENT: f64 = 1000.0;
+
+/// Accepted magnitudes of a velocity, m/s. Below the lowest, drift of the sensor dominates. Rigs and curb strikes stay below the highest, as
+/// the check of records assumes.
+const SPEEDS: (f64, f64) = (1e-6, 20.0);
+
+/// Accepted amplitudes, m. Below the smallest, sensors measure only noise. The largest is that of the check of records.
+const AMPLITUDES: (f64, f64) = (1e-6, 0.5);
+
 impl Limit {
     /// Checks that the limit is complete, that a value can meet it, and that a rig can measure the quantity at the given velocity.
     ///
@@ -112,25 +141,35 @@ impl Limit {
             ("setting", self.setting),
         ];
         if let Some((name, value)) = numbers.iter().find(|(_, value)| value.is_some_and(|v| !v.is_finite())) {
-            return Err(format!("{name} is {}, which is no number", value.unwrap_or(f64::NAN)));
+            return Err(format!("{name} is {}, which is no number", format_number(value.unwrap_or(f64::NAN))));
         }
         if self.quantity.is_time() && (self.velocity_m_s.is_some() || self.amplitude_m.is_some()) {
             return Err(
                 "a time of the response is that of all tests with steps; leave velocity_m_s and amplitude_m out".into(),
             );
         }
-        let longest = [self.low, self.high].into_iter().flatten().fold(0.0, f64::max);
-        if self.quantity.is_time() && longest > LONGEST {
-            return Err(format!("{longest} s is no response of a valve; give the unit, such as ms, in a column unit"));
+        for (name, value) in [("low", self.low), ("high", self.high)] {
+            if let Some(value) = value {
+                self.quantity.check(name, value)?;
+            }
+        }
+        if let Some(high) = self.high.filter(|high| *high <= 0.0 && self.quantity.is_time()) {
+            return Err(format!("high = {} s; no valve is that quick, so give more than 0 s", format_number(high)));
+        }
+        if let Some(setting) = self.setting.filter(|setting| setting.abs() > LARGEST_SETTING) {
+            let (value, largest) = (format_number(setting), format_number(LARGEST_SETTING));
+            return Err(format!("setting = {value} is beyond that of any damper; give -{largest} to {largest}"));
         }
         match (self.low, self.high) {
             (None, None) => return Err("neither low nor high is given; write at least one".into()),
             (Some(low), Some(high)) if low > high && self.quantity.is_time() => {
-                return Err(format!("low ({low} s) is above high ({high} s)"));
+                return Err(format!("low ({} s) is above high ({} s)", format_number(low), format_number(high)));
             }
             (Some(low), Some(high)) if low > high => {
                 return Err(format!(
-                    "low ({low} N) is above high ({high} N); forces are signed, so in compression the stronger force is the lower one"
+                    "low ({} N) is above high ({} N); forces are signed, so in compression the stronger force is the lower one",
+                    format_number(low),
+                    format_number(high)
                 ));
             }
             _ => {}
@@ -147,8 +186,21 @@ impl Limit {
                 Some(_) => {}
             }
         }
+        if let Some(velocity) = self.velocity_m_s.filter(|v| *v != 0.0 && !(SPEEDS.0..=SPEEDS.1).contains(&v.abs())) {
+            return Err(format!(
+                "velocity_m_s = {} m/s is no speed of a damper; give a magnitude of {} to {} m/s",
+                format_number(velocity),
+                format_number(SPEEDS.0),
+                SPEEDS.1
+            ));
+        }
         match self.amplitude_m {
-            Some(amplitude) if amplitude <= 0.0 => Err(format!("the amplitude {amplitude} m is not positive")),
+            Some(amplitude) if !(AMPLITUDES.0..=AMPLITUDES.1).contains(&amplitude) => Err(format!(
+                "amplitude_m = {} m is no amplitude of a damper; give {} to {} m",
+                format_number(amplitude),
+                format_number(AMPLITUDES.0),
+                AMPLITUDES.1
+            )),
             _ => Ok(()),
         }
     }
@@ -306,13 +358,24 @@ fn limit<'a>(cell: &impl Fn(&str) -> Option<&'a str>, decimal_comma: bool, line:
     match (newton("nominal")?, cell("tolerance")) {
         (None, None) => {}
         (Some(nominal), Some(text)) if low.is_none() && high.is_none() => {
+            quantity.check("nominal", nominal)?;
             let size = match text.strip_suffix('%') {
-                Some(percent) => nominal.abs() * number("tolerance", percent.trim(), decimal_comma)? / 100.0,
+                Some(percent) => {
+                    let percent = number("tolerance", percent.trim(), decimal_comma)?;
+                    if percent.abs() > LARGEST_PERCENT {
+                        let number = format_number(percent);
+                        return Err(format!("tolerance = {number} %; give 0 to {LARGEST_PERCENT} %, or low and high"));
+                    }
+                    nominal.abs() * percent / 100.0
+                }
                 None => unit.to_si(number("tolerance", text, decimal_comma)?),
             };
             if size < 0.0 {
                 return Err(format!("the tolerance {text:?} is negative"));
             }
+            quantity.check("tolerance", size)?;
+            quantity.check("nominal + tolerance", nominal + size)?;
+            quantity.check("nominal - tolerance", nominal - size)?;
             (low, high) = (Some(nominal - size), Some(nominal + size));
         }
         (Some(_), Some(_)) => return Err("give either low and high or nominal and tolerance, not both".into()),
@@ -375,6 +438,50 @@ mod tests {
         assert_eq!(read(file.path()).unwrap()[0].name, "Dämpfer – vorn");
     }
 
+    /// Checks every column of numbers with numbers that no damper has. The message names the column, the value and a bound.
+    #[test]
+    fn numbers_beyond_their_bounds_are_rejected_with_column_and_bounds() {
+        let with = |quantity: &str, column: &str, value: &str| match column {
+            "low" | "high" => format!("quantity,velocity_m_s,{column}\n{quantity},{},{value}\n", velocity(quantity)),
+            "nominal" => {
+                format!("quantity,velocity_m_s,nominal,tolerance\n{quantity},{},{value},1e-3\n", velocity(quantity))
+            }
+            "tolerance" => {
+                format!("quantity,velocity_m_s,nominal,tolerance\n{quantity},{},1e-3,{value}\n", velocity(quantity))
+            }
+            "velocity_m_s" => format!("quantity,velocity_m_s,low\n{quantity},{value},-1\n"),
+            _ => format!("quantity,velocity_m_s,low,{column}\n{quantity},{},-1,{value}\n", velocity(quantity)),
+        };
+        let everywhere = ["1e308", "-1e308", "nan", "inf", "-inf", "1e400"];
+        for (quantity, column, also_bad, good) in [
+            ("force", "low", &[][..], "-1e6"),
+            ("force", "high", &[], "1e6"),
+            ("force", "nominal", &[], "0"),
+            ("force", "tolerance", &["1e308 %", "1e9 %", "-1"], "1000 %"),
+            ("force", "velocity_m_s", &["0", "1e-308", "-1e-308", "20.1"], "-20"),
+            ("force", "amplitude_m", &["0", "1e-308", "-0.01", "0.6"], "0.5"),
+            ("force", "setting", &["1e308mA", "1.1e9"], "1e-308"),
+            ("friction", "high", &["1.1e6"], "1e-308"),
+            ("rise_time_up", "low", &["2.1"], "0"),
+            ("rise_time_up", "high", &["0", "-1", "2.1"], "2"),
+            ("rise_time_up", "tolerance", &["2"], "0.5"),
+        ] {
+            for value in everywhere.iter().chain(also_bad) {
+                let message = of(&with(quantity, column, value)).unwrap_err();
+                let names_it = message.contains(column) || message.contains(column.trim_end_matches("_m_s"));
+                assert!(message.starts_with("oem.csv, line 2: ") && names_it, "{column} {value}: {message}");
+                assert!(message.len() < 300, "{column} {value}: {message}");
+            }
+            let accepted = of(&with(quantity, column, good));
+            assert!(accepted.is_ok(), "{quantity} {column} {good}: {accepted:?}");
+        }
+    }
+
+    /// Returns the velocity that a limit on this quantity needs, as a cell.
+    fn velocity(quantity: &str) -> &'static str {
+        if quantity == "force" { "0.5" } else { "" }
+    }
+
     #[test]
     fn mistakes_are_told_with_file_and_line() {
         let cases = [
@@ -390,7 +497,7 @@ mod tests {
             ("quantity,low,high\nnoise,0,1\n", "\"noise\" is nothing that can be limited"),
             ("quantity,low,high,unit\nfriction,0,1,mm\n", "no unit of force"),
             ("quantity,high,unit\nresponse_time_up,10,N\n", "no unit of time"),
-            ("quantity,high\nresponse_time_up,20\n", "20 s is no response of a valve; give the unit"),
+            ("quantity,high\nresponse_time_up,20\n", "high = 20 s is no response of a valve; give 2 s or less"),
             ("quantity,high,velocity_m_s\nrise_time_up,0.01,0.3\n", "leave velocity_m_s"),
             ("quantity,low,high\nrise_time_up,0.02,0.01\n", "above high (0.01 s)"),
             ("quantity,lo\nfriction,0\n", "no column \"lo\""),

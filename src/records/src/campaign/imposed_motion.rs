@@ -11,6 +11,7 @@ use crate::error::RecordError;
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
 use crate::signal::consistency;
+use crate::tuning::options::LARGEST_SETTING;
 
 /// A motion as recorded in its file: SI, extension (rebound) positive, not cleaned.
 ///
@@ -97,11 +98,30 @@ fn turn(options: &Options) -> f64 {
     if options.flip_motion != (options.positive == Some(Positive::Compression)) { -1.0 } else { 1.0 }
 }
 
+/// Returns the largest magnitude of a channel in a motion, in SI units or in the unit of the setting.
+///
+/// The kernel's C interface has the limits of motion, side force and temperature. The limit of time includes a clock in seconds since 1970.
+/// The limit of force is never used, because a motion has none.
+pub fn motion_limit(channel: Channel) -> f64 {
+    match channel {
+        Channel::Time => 1e10,
+        Channel::Displacement | Channel::Velocity => 1e3,
+        Channel::Force | Channel::SideForce => 1e9,
+        Channel::Temperature => 1e5,
+        Channel::Current | Channel::Setting => LARGEST_SETTING,
+    }
+}
+
 fn check(samples: &Samples) -> Result<(), RecordError> {
     for channel in Channel::ALL {
         let Some(values) = samples.channel(channel) else { continue };
         if let Some(row) = values.iter().position(|v| !v.is_finite()) {
             return Err(RecordError::MotionGap { at: samples.at.clone(), line: samples.lines[row], channel });
+        }
+        let limit = motion_limit(channel);
+        if let Some(row) = values.iter().position(|v| v.abs() > limit) {
+            let (at, line, value) = (samples.at.clone(), samples.lines[row], values[row]);
+            return Err(RecordError::MotionBeyond { at, line, channel, value, limit });
         }
     }
     if samples.len() < 2 {
@@ -228,6 +248,32 @@ mod tests {
         assert!(message(-1.0).contains("opposite signs") && message(-1.0).contains("road.csv"), "{}", message(-1.0));
         assert!(message(1000.0).contains("mm"), "{}", message(1000.0));
         assert!(read(&format!("time_s,x_m,v_m_s\n{}", rows(1.0)), &Options::default()).is_ok());
+    }
+
+    #[test]
+    fn numbers_beyond_those_of_a_motion_are_rejected_with_line_and_limit() {
+        for (headings, column, named, limit) in [
+            ("time_s,x_m", 0, "time", "1e10 s"),
+            ("time_s,x_m", 1, "displacement", "1000 m"),
+            ("time_s,v_m_s", 1, "velocity", "1000 m/s"),
+            ("time_s,x_m,side_force_N", 2, "side force", "1e9 N"),
+            ("time_s,x_m,T_degC", 2, "temperature", "100000 °C"),
+            ("time_s,x_m,current [A]", 2, "current", "1e9 A"),
+            ("time_s,x_m,Clicks", 2, "setting", "1e9"),
+        ] {
+            for value in ["1e308", "-1e308"] {
+                let mut rows = [["0", "0", "0"], ["1", "0", "0"], ["2", "0", "0"]];
+                rows[1][column] = value;
+                let count = headings.split(',').count();
+                let rows: String = rows.iter().map(|row| row[..count].join(",") + "\n").collect();
+                let message = read(&format!("{headings}\n{rows}"), &Options::default()).unwrap_err();
+                let unit = limit.split_once(' ').map_or("", |(_, unit)| unit);
+                let wanted = format!("line 3: {named} is {}", format!("{value} {unit}").trim_end());
+                assert!(message.contains(&wanted) && message.contains(&format!("±{limit};")), "{message}");
+                assert!(message.len() < 300, "{message}");
+            }
+        }
+        assert!(read("time_s,x_m\n0,0\n1e-308,1e-308\n", &Options::default()).is_ok());
     }
 
     #[test]

@@ -6,7 +6,7 @@ use crate::messages::phrases;
 use crate::numbers::quantum;
 use crate::quantities::channel::Channel;
 use crate::tuning::clipped::{FORCE_FRACTION, ROUNDED_FRACTION, RUN, SHOWN};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Range of displacement, m, and velocity, m/s, over all tests of a campaign. A real end of the measuring range limits
 /// all tests.
@@ -133,7 +133,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
                     "rounded",
                     Sentence::from(phrases::ROUNDED)
                         .with_sentence("channel", channel.message())
-                        .with("value", format!("{value:.5}"))
+                        .with("value", format_decimals(value, 5))
                         .with("unit", channel.si())
                         .with("count", count)
                         .with("line", line),
@@ -162,7 +162,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
             "clipped",
             Sentence::from(phrases::CLIPPED_MOTION)
                 .with_sentence("channel", channel.message())
-                .with("value", format!("{value:.5}"))
+                .with("value", format_decimals(value, 5))
                 .with("unit", channel.si())
                 .with("percent", format!("{percent:.1}"))
                 .with("line", line)
@@ -187,7 +187,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
     samples.note(
         "clipped",
         Sentence::from(phrases::CLIPPED_FORCE)
-            .with("value", format!("{value:.1}"))
+            .with("value", format_decimals(value, 1))
             .with("count", tops.count)
             .with("percent", format!("{percent:.2}"))
             .with("line", line),

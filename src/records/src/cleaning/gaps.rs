@@ -8,7 +8,7 @@ use crate::messages::phrases;
 use crate::numbers::{median, range};
 use crate::tuning::cleaning::FEWEST;
 use crate::tuning::gaps::{AROUND, BEYOND, LONGER, TURNS};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 use std::ops::Range;
 
 /// Splits a test at its gaps, without pieces of too few samples. Inserts a note about the gaps before the other notes.
@@ -23,8 +23,8 @@ pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
         .map(|&i| {
             let (from, to) = (samples.time[i - 1], samples.time[i]);
             Sentence::from(phrases::GAP)
-                .with("seconds", format!("{:.4}", to - from))
-                .with("from", format!("{from:.4}"))
+                .with("seconds", format_decimals(to - from, 4))
+                .with("from", format_decimals(from, 4))
                 .with("line", samples.lines[i])
         })
         .collect();
@@ -84,8 +84,8 @@ fn leave_out_stumps(samples: &Samples, kept: &mut Vec<&Range<usize>>) -> Option<
     kept.retain(|span| !stumps.contains(span));
     let place = |span: &Range<usize>| {
         Sentence::from(phrases::FROM_TO)
-            .with("from", format!("{:.4}", samples.time[span.start]))
-            .with("to", format!("{:.4}", samples.time[span.end - 1]))
+            .with("from", format_decimals(samples.time[span.start], 4))
+            .with("to", format_decimals(samples.time[span.end - 1], 4))
     };
     (!stumps.is_empty()).then(|| {
         Sentence::from(phrases::STUMPS).with("count", stumps.len()).with_list(

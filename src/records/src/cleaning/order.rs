@@ -5,7 +5,7 @@ use crate::error::RecordError;
 use crate::messages::phrases;
 use crate::numbers::{range, sample_time};
 use crate::tuning::order::{REACH, STALE};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_number};
 
 /// Removes rows at the beginning that belong to an earlier run.
 ///
@@ -32,8 +32,8 @@ pub(crate) fn drop_stale(samples: &mut Samples) {
         Sentence::from(phrases::STALE_ROWS)
             .with("count", first)
             .with("line", line)
-            .with("from", from)
-            .with("to", samples.time[0]),
+            .with("from", format_number(from))
+            .with("to", format_number(samples.time[0])),
     );
 }
 

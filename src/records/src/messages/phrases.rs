@@ -234,6 +234,7 @@ dashpot_messages::phrases! {
     FLIP_EITHER: "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)";
     // Faults of an imposed motion.
     MOTION_GAP: "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off";
+    MOTION_BEYOND: "{at}, line {line}: {channel} is {value}, and a motion stays within ±{limit}; check the unit of the column, which --unit states";
     MOTION_TIME: "{at}, line {line}: time does not increase: {to} s comes after {from} s; a motion needs increasing time";
     SHORT_MOTION: "{at}: has one row; a motion needs at least two";
     SEVERAL_MOTIONS: "{file}: holds several tests, '{first}' and '{second}'; a motion is one, so cut the file";

@@ -18,6 +18,8 @@ use crate::options::Positive;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
 use crate::source::Source;
+use crate::tuning::plausibility::{HIGHEST_SPEED, LARGEST_FORCE};
+use dashpot_messages::format_number;
 
 /// A point of the table: rebound velocity and tension force positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -127,18 +129,21 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
     let at = Place::file(file);
     let wrong = |line: usize, cause: String| RecordError::PeakTable { at: at.clone(), line, cause };
     let clicks = clicks(&rows);
-    let known = || clicks.iter().map(f64::to_string).collect::<Vec<_>>().join(", ");
+    let known = || clicks.iter().copied().map(format_number).collect::<Vec<_>>().join(", ");
     let rows = match options.clicks {
         Some(wanted) if clicks.contains(&wanted) => only(rows, wanted),
         Some(_) if clicks.is_empty() => return Err(wrong(1, "it has no column that names clicks".into())),
         Some(wanted) => {
-            return Err(wrong(1, format!("it has no curve of {wanted} clicks; there are those of {}", known())));
+            return Err(wrong(
+                1,
+                format!("it has no curve of {} clicks; there are those of {}", format_number(wanted), known()),
+            ));
         }
         None if clicks.len() > 1 => {
             let cause = format!(
                 "it has a curve for each of {} clicks; --clicks {} takes one of them, --clicks all makes a model of each",
                 known(),
-                clicks[0]
+                format_number(clicks[0])
             );
             return Err(wrong(1, cause));
         }
@@ -180,6 +185,15 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                 continue;
             }
             let (velocity, force) = (value(&pair.velocity)?, value(&pair.force)?);
+            for (number, largest, unit) in [(velocity, HIGHEST_SPEED, "m/s"), (force, LARGEST_FORCE, "N")] {
+                if number.is_finite() && number.abs() > largest {
+                    let number = format_number(number);
+                    let cause = format!(
+                        "{number} {unit} is beyond any damper, {largest} {unit}; check the column and its unit (--unit)"
+                    );
+                    return Err(wrong(*line, cause));
+                }
+            }
             if velocity.is_finite() && force.is_finite() {
                 of_pair.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
             }
@@ -205,7 +219,10 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
         let [a, b] = pair else { continue };
         if a.velocity_m_s == b.velocity_m_s {
             let (first, second) = (a.line.min(b.line), a.line.max(b.line));
-            return Err(wrong(second, format!("line {first} has the same velocity, {} m/s", b.velocity_m_s)));
+            return Err(wrong(
+                second,
+                format!("line {first} has the same velocity, {} m/s", format_number(b.velocity_m_s)),
+            ));
         }
     }
     for (is_there, stroke) in [
@@ -233,6 +250,21 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn points_beyond_any_damper_are_rejected_with_line_and_bound() {
+        for (rows, line, wanted) in [
+            ("0.1,100\n-1e308,-200\n", 3, "-1e308 m/s is beyond any damper, 20 m/s"),
+            ("1e308,100\n-0.1,-200\n", 2, "1e308 m/s is beyond"),
+            ("0.1,1e308\n-0.1,-200\n", 2, "1e308 N is beyond any damper, 200000 N"),
+            ("0.1,100\n-0.1,-1e308\n", 3, "-1e308 N is beyond"),
+            ("524,100\n-524,-200\n", 2, "524 m/s is beyond"),
+        ] {
+            let message = of(&format!("velocity [m/s],force [N]\n{rows}")).unwrap_err();
+            assert!(message.contains("pvp.csv") && message.contains(&format!("line {line}")), "{message}");
+            assert!(message.contains(wanted) && message.len() < 300, "{message}");
+        }
+    }
 
     fn of(text: &str) -> Result<Vec<[f64; 2]>, String> {
         let peaks = read(text, None)?;

@@ -7,7 +7,8 @@ use serde::{Deserialize, Serialize};
 
 use crate::glob;
 use crate::numbers::{quantile, white_noise};
-use dashpot_messages::Sentence;
+use crate::tuning::options::LARGEST_SETTING;
+use dashpot_messages::{Sentence, format_number};
 
 /// A setting of an adjustable damper.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -197,8 +198,7 @@ pub fn is_same_setting(a: f64, b: f64) -> bool {
 
 /// Formats a value of a setting with its unit, if it has one: `0.8 A`.
 pub fn setting_in_words(value: f64, unit: &str) -> String {
-    // Adding 0.0 removes the sign of −0.
-    format!("{} {unit}", value + 0.0).trim_end().to_owned()
+    format!("{} {unit}", format_number(value)).trim_end().to_owned()
 }
 
 /// Rules of the user for the setting of each test.
@@ -226,9 +226,12 @@ impl SettingRules {
         if self.name.is_none() && !self.values.is_empty() {
             return Err("settings are given, but not of what: add setting = \"current\", or another name".to_owned());
         }
-        match self.values.iter().find(|(_, value)| !value.is_finite()) {
+        match self.values.iter().find(|(_, value)| !(value.abs() <= LARGEST_SETTING)) {
             Some((pattern, value)) => {
-                Err(format!("settings: {value} of {pattern:?} is no number that a damper is set to"))
+                let (number, largest) = (format_number(*value), format_number(LARGEST_SETTING));
+                Err(format!(
+                    "settings: {number} of {pattern:?} is no number that a damper is set to; give -{largest} to {largest}"
+                ))
             }
             None => Ok(()),
         }
@@ -294,6 +297,21 @@ mod tests {
         let of = |name: &str| given.setting_of(name).map(|s| s.value);
         assert_eq!((of("a_hard"), of("a_soft")), (Some(1.6), Some(0.0)));
         assert_eq!(SettingRules::default().setting_of("a"), None);
+    }
+
+    #[test]
+    fn settings_beyond_their_bounds_are_rejected() {
+        let check = |value: f64| {
+            let values = [("*hard*".to_owned(), value)].into();
+            SettingRules { name: Some("current".into()), unit: "A".into(), values }.check()
+        };
+        for value in [1e308, -1e308, 1.1e9, f64::NAN, f64::INFINITY] {
+            let message = check(value).unwrap_err();
+            assert!(message.contains("\"*hard*\"") && message.ends_with("give -1e9 to 1e9"), "{message}");
+            assert!(message.contains(&format_number(value)) && message.len() < 300, "{message}");
+        }
+        assert!(check(0.0).is_ok() && check(-1e9).is_ok() && check(1e-308).is_ok());
+        assert_eq!(setting_in_words(1e-308, "A"), "1e-308 A");
     }
 
     #[test]

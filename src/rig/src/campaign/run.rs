@@ -2,6 +2,7 @@
 
 use std::sync::atomic::{AtomicUsize, Ordering};
 
+use dashpot_messages::format_number;
 use rayon::prelude::*;
 
 use super::{Campaign, Options, Record};
@@ -113,7 +114,7 @@ pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> 
     let fail = |option, problem| Err(RigError::Option { option, problem });
     let noise = options.noise_percent;
     if !(0.0..=NOISE_LIMIT_PERCENT).contains(&noise) {
-        return fail("noise", format!("{noise} %; give 0 to {NOISE_LIMIT_PERCENT} %"));
+        return fail("noise", format!("{} %; give 0 to {NOISE_LIMIT_PERCENT} %", format_number(noise)));
     }
     if i64::try_from(options.seed).is_err() {
         // `campaign.toml` contains the seed, and the largest integer of TOML is that of `i64`.
@@ -123,24 +124,27 @@ pub(crate) fn check(matrix: &Matrix, options: &Options) -> Result<(), RigError> 
         return fail("threads", "0 threads; give at least 1".into());
     }
     if !(0.0..=COLOUR_LIMIT).contains(&options.noise_colour) {
-        return fail("noise colour", format!("{}; give 0 (white) to {COLOUR_LIMIT}", options.noise_colour));
+        return fail(
+            "noise colour",
+            format!("{}; give 0 (white) to {COLOUR_LIMIT}", format_number(options.noise_colour)),
+        );
     }
     if !(0.0..=HUM_LIMIT_N).contains(&options.hum_n) {
-        return fail("hum", format!("{} N; give 0 to {HUM_LIMIT_N} N", options.hum_n));
+        return fail("hum", format!("{} N; give 0 to {HUM_LIMIT_N} N", format_number(options.hum_n)));
     }
     if let Some(bits) = options.bits.filter(|bits| !BITS.contains(bits)) {
         return fail("bits", format!("{bits} bits; give {} to {}", BITS.start(), BITS.end()));
     }
     if let Some(celsius) = options.start_temperature_c.filter(|celsius| !TEMPERATURES_C.contains(celsius)) {
         let (low, high) = (TEMPERATURES_C.start(), TEMPERATURES_C.end());
-        return fail("start temperature", format!("{celsius} °C; give {low} to {high} °C"));
+        return fail("start temperature", format!("{} °C; give {low} to {high} °C", format_number(celsius)));
     }
     let Some(rate) = options.sample_rate_hz else {
         return Ok(());
     };
     let (low, high) = RATE_RANGE_HZ;
     if !(low..=high).contains(&rate) {
-        return fail("sample rate", format!("{rate} Hz; give {low} to {high} Hz"));
+        return fail("sample rate", format!("{} Hz; give {low} to {high} Hz", format_number(rate)));
     }
     for point in matrix.points() {
         if rate < LEAST_PER_CYCLE * point.frequency_hz {
@@ -286,6 +290,19 @@ mod tests {
         ] {
             let message = Campaign::run(&small_matrix(), &options, |_, _| {}).unwrap_err().to_string();
             assert!(message.contains(words), "{message}");
+        }
+        for value in [1e308, -1e308, f64::NAN, f64::INFINITY] {
+            for (options, words) in [
+                (Options { noise_percent: value, ..ideal() }, "option noise: "),
+                (Options { sample_rate_hz: Some(value), ..ideal() }, "option sample rate: "),
+                (Options { noise_colour: value, ..ideal() }, "option noise colour: "),
+                (Options { hum_n: value, ..ideal() }, "option hum: "),
+                (Options { start_temperature_c: Some(value), ..ideal() }, "option start temperature: "),
+            ] {
+                let message = Campaign::run(&small_matrix(), &options, |_, _| {}).unwrap_err().to_string();
+                let named = format!("{words}{}", format_number(value));
+                assert!(message.starts_with(&named) && message.len() < 300, "{message}");
+            }
         }
         let slow = Matrix::default();
         let message = Campaign::run(&slow, &Options { sample_rate_hz: Some(20e3), ..ideal() }, |_, _| {})

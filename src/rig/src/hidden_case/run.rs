@@ -4,6 +4,8 @@
 use std::cell::RefCell;
 use std::collections::BTreeMap;
 
+use dashpot_messages::format_number;
+
 use super::{InjectedCampaign, InjectedCase, InjectedEffect, Truth};
 use crate::campaign::check;
 use crate::draw::Draw;
@@ -14,6 +16,11 @@ use crate::neutral::{Line, Neutral, OWN, Rest, System};
 use crate::sensors::Sensors;
 use crate::solver::Integrator;
 use crate::{Campaign, Matrix, Options, Record, RigError, TestPoint};
+
+/// Largest accepted strength of an effect, in typical strong cases. The search for a severity ends far below it.
+///
+/// Test: `unknown_names_forms_and_strengths_are_refused`.
+const STRONGEST: f64 = 1000.0;
 
 /// Smallest number of samples per cycle at the default sample rate, unless the highest of [`RATES_HZ`] limits this
 /// rate.
@@ -100,10 +107,11 @@ impl InjectedCase {
 }
 
 fn check_strength(name: &str, strength: f64) -> Result<(), RigError> {
-    if strength.is_finite() && strength >= 0.0 {
+    if (0.0..=STRONGEST).contains(&strength) {
         return Ok(());
     }
-    Err(RigError::Option { option: "hide", problem: format!("strength {strength} of '{name}'; give 0 or more") })
+    let number = format_number(strength);
+    Err(RigError::Option { option: "hide", problem: format!("strength {number} of '{name}'; give 0 to {STRONGEST}") })
 }
 
 fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
@@ -447,8 +455,10 @@ mod tests {
         };
         assert!(refusal("wobble", 1.0).contains("gas_spring, stribeck_friction"));
         assert!(refusal("aeration:foam", 1.0).contains("entrained, dissolving_foam"));
-        assert!(refusal("aeration", -1.0).contains("give 0 or more"));
-        assert!(refusal("aeration", f64::NAN).contains("give 0 or more"));
+        for strength in [-1.0, 1001.0, 1e308, -1e308, f64::NAN, f64::INFINITY] {
+            let message = refusal("aeration", strength);
+            assert!(message.contains("'aeration'; give 0 to 1000") && message.len() < 300, "{message}");
+        }
         let twice = ideal(1, &[("aeration", 1.0), ("aeration", 1.0)]).run_matrix(&matrix(), |_, _| {}).unwrap_err();
         assert!(twice.to_string().contains("listed twice"));
     }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use dashpot_messages::format_number;
+
 /// Default number of whole measured cycles of a test up to 2 Hz.
 pub const DEFAULT_CYCLES_SLOW: u32 = 3;
 /// Default number of whole measured cycles above 2 Hz, where a cycle has fewer samples.
@@ -9,6 +11,8 @@ pub const DEFAULT_CYCLES_FAST: u32 = 5;
 /// Frequency above which a test counts as fast, Hz.
 const FAST_FREQUENCY_HZ: f64 = 2.0;
 
+/// Smallest amplitude, m. Below it, sensors measure only noise.
+pub(super) const SMALLEST_M: f64 = 1e-6;
 /// Largest travel from mid-stroke that the rig allows, m.
 const TRAVEL_LIMIT_M: f64 = 0.075;
 /// Largest velocity of the rig's actuator, m/s.
@@ -87,13 +91,18 @@ impl TestPoint {
             ("side_force_n", self.side_force_n),
         ] {
             if !value.is_finite() {
-                return fault(column, format!("{value} is not a number that can be used"));
+                return fault(column, format!("{} is not a number that can be used", format_number(value)));
             }
         }
-        if self.amplitude_m <= 0.0 {
+        if self.amplitude_m < SMALLEST_M {
             return fault(
                 "amplitude_mm",
-                format!("the amplitude is {} mm; give a positive number", self.amplitude_m * 1e3),
+                format!(
+                    "the amplitude is {} mm; give {} to {} mm",
+                    format_number(self.amplitude_m * 1e3),
+                    SMALLEST_M * 1e3,
+                    TRAVEL_LIMIT_M * 1e3
+                ),
             );
         }
         let travel = self.amplitude_m + self.mean_displacement_m.abs();
@@ -103,9 +112,9 @@ impl TestPoint {
             return fault(
                 column,
                 format!(
-                    "amplitude and mean displacement together reach {:.1} mm from mid-stroke, the damper ends at {:.0} mm; \
+                    "amplitude and mean displacement together reach {} mm from mid-stroke, the damper ends at {:.0} mm; \
                      reduce one of them",
-                    travel * 1e3,
+                    format_number((travel * 1e4).round() / 10.0),
                     TRAVEL_LIMIT_M * 1e3
                 ),
             );
@@ -114,7 +123,7 @@ impl TestPoint {
         if !(self.frequency_hz >= low && self.frequency_hz <= high) {
             return fault(
                 "frequency_hz",
-                format!("{} Hz is outside what the rig can run, {low} to {high} Hz", self.frequency_hz),
+                format!("{} Hz is outside what the rig can run, {low} to {high} Hz", format_number(self.frequency_hz)),
             );
         }
         let peak = TAU * self.amplitude_m * self.frequency_hz;
@@ -133,9 +142,9 @@ impl TestPoint {
             return fault(
                 "peak_velocity_mm_s",
                 format!(
-                    "{:.3} mm/s contradicts amplitude and frequency, 2 pi A f = {:.3} mm/s; \
+                    "{} mm/s contradicts amplitude and frequency, 2 pi A f = {:.3} mm/s; \
                      correct one of them or leave one of the three columns empty",
-                    self.peak_velocity_m_s * 1e3,
+                    format_number((self.peak_velocity_m_s * 1e6).round() / 1e3),
                     peak * 1e3
                 ),
             );
@@ -143,7 +152,7 @@ impl TestPoint {
         if self.side_force_n.abs() > SIDE_FORCE_LIMIT_N {
             return fault(
                 "side_force_n",
-                format!("{} N is beyond the loading device's {SIDE_FORCE_LIMIT_N} N", self.side_force_n),
+                format!("{} N is beyond the loading device's {SIDE_FORCE_LIMIT_N} N", format_number(self.side_force_n)),
             );
         }
         if self.cycles == 0 || self.cycles > CYCLES_LIMIT {

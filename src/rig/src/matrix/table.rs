@@ -3,6 +3,8 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use dashpot_messages::format_number;
+
 use super::point::{default_cycles, sine_name};
 use super::{Matrix, TestPoint};
 use crate::RigError;
@@ -202,9 +204,8 @@ impl Row<'_> {
     /// Reads the number in a column, or `None` from an empty or missing cell. Rejects values that are not positive.
     fn positive(&self, column: usize) -> Result<Option<f64>, RigError> {
         match self.number(column)? {
-            Some(value) if value <= 0.0 => {
-                Err(self.fault(COLUMNS[column], format!("{value} is not above zero; give a positive number")))
-            }
+            Some(value) if value <= 0.0 => Err(self
+                .fault(COLUMNS[column], format!("{} is not above zero; give a positive number", format_number(value)))),
             value => Ok(value),
         }
     }

@@ -6,7 +6,9 @@
 use std::collections::BTreeSet;
 use std::f64::consts::TAU;
 
-use super::point::sine_name;
+use dashpot_messages::format_number;
+
+use super::point::{SMALLEST_M, sine_name};
 use super::{Matrix, TestPoint};
 use crate::RigError;
 
@@ -65,10 +67,11 @@ impl Matrix {
         check_values("amplitudes", "mm", &options.amplitudes_m)?;
         check_values("peak velocities", "mm/s", &options.peak_velocities_m_s)?;
         let limit = options.frequency_limit_hz;
-        if !(limit.is_finite() && limit > 0.0) {
+        let (low, high) = FREQUENCY_LIMITS_HZ;
+        if !(low..=high).contains(&limit) {
             return Err(RigError::Option {
                 option: "frequency limit",
-                problem: format!("{limit} Hz; give a positive number"),
+                problem: format!("{} Hz; give {low} to {high} Hz", format_number(limit)),
             });
         }
         let decimals = decimals_needed(&options.peak_velocities_m_s);
@@ -89,7 +92,8 @@ impl Matrix {
             return Err(RigError::Option {
                 option: "frequency limit",
                 problem: format!(
-                    "no point of the matrix lies at or below {limit} Hz; raise the limit, use larger amplitudes or lower velocities"
+                    "no point of the matrix lies at or below {} Hz; raise the limit, use larger amplitudes or lower velocities",
+                    format_number(limit)
                 ),
             });
         }
@@ -122,10 +126,13 @@ fn slow_points() -> impl Iterator<Item = TestPoint> {
     })
 }
 
+/// Range of accepted frequency limits, Hz. The lowest is that of the rig's controller, and no hydraulic rig reaches the highest.
+const FREQUENCY_LIMITS_HZ: (f64, f64) = (1e-3, 1000.0);
+
 /// Range of accepted amplitudes, m, and peak velocities, m/s.
 ///
 /// Below an amplitude of a micrometer, sensors measure only noise. No rig operates above 20 m/s.
-const VALUES: (f64, f64) = (1e-6, 20.0);
+const VALUES: (f64, f64) = (SMALLEST_M, 20.0);
 
 fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), RigError> {
     let fail = |problem| Err(RigError::Option { option, problem });
@@ -134,11 +141,11 @@ fn check_values(option: &'static str, unit: &str, values: &[f64]) -> Result<(), 
     }
     for (index, value) in values.iter().enumerate() {
         if !(value.is_finite() && *value > 0.0) {
-            return fail(format!("{} {unit}; give positive numbers", value * 1e3));
+            return fail(format!("{} {unit}; give positive numbers", format_number(value * 1e3)));
         }
         if !(VALUES.0..=VALUES.1).contains(value) {
             let (low, high) = (1e3 * VALUES.0, 1e3 * VALUES.1);
-            return fail(format!("{:e} {unit}; a rig drives {low} to {high} {unit}", value * 1e3));
+            return fail(format!("{} {unit}; a rig drives {low} to {high} {unit}", format_number(value * 1e3)));
         }
         if values[..index].contains(value) {
             return fail(format!("{} {unit} is listed twice", value * 1e3));

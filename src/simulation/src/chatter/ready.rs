@@ -7,13 +7,14 @@ use crate::{followed, stiffness};
 use dashpot_core::Params;
 use dashpot_core::family::Definition;
 use dashpot_identification::model_file::{NoModel, prepared};
+use dashpot_messages::format_number;
 use serde::Serialize;
 
 /// Reason why a damper cannot be checked in a host.
 #[derive(Debug, thiserror::Error)]
 pub enum HostError {
     /// The step is outside the range of hosts.
-    #[error("{name} is in s and lies between 1e-6 and 0.1, not {step}")]
+    #[error("{name} is in s and lies between 1e-6 and 0.1, not {}", format_number(*step))]
     Step {
         /// Name of the option.
         name: &'static str,
@@ -21,7 +22,7 @@ pub enum HostError {
         step: f64,
     },
     /// The mass is outside the range of masses that a damper moves.
-    #[error("--wheel-mass is in kg and lies between 0.001 and 100000, not {0}")]
+    #[error("--wheel-mass is in kg and lies between 0.001 and 100000, not {}", format_number(*.0))]
     Mass(f64),
     /// The parameters do not form a valid model.
     #[error(transparent)]
@@ -31,7 +32,8 @@ pub enum HostError {
     Rejected(&'static str),
     /// The damper depends on a setting, and its friction chatters at one of the settings.
     #[error(
-        "at the setting {setting} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {setting} -o one.toml, or fit presliding friction"
+        "at the setting {at} {element} chatters in a host of that step, and --for-step replaces friction of an ordinary damper alone; write that with dashpot setting MODEL {at} -o one.toml, or fit presliding friction",
+        at = format_number(*setting)
     )]
     OverSetting {
         /// Setting at which the friction chatters.

@@ -4,6 +4,7 @@ use dashpot_core::parameter::{Element, Number};
 use dashpot_core::step::step;
 use dashpot_core::{Input, Model, Params};
 use dashpot_core::{element, list, number};
+use dashpot_messages::format_number;
 
 fn steep() -> Params {
     let mut params = Params::new();
@@ -188,5 +189,21 @@ fn friction_is_replaced_whatever_else_rings() {
             "{told}"
         );
         assert_eq!(left.rings(), beside == element!("rebound_stop"), "{told}");
+    }
+}
+
+#[test]
+fn hosts_beyond_their_bounds_are_rejected_with_option_and_bounds() {
+    let params = with(&[element!("fv_curve")], &[]);
+    for value in [1e308, -1e308, 1e-308, 0.0, f64::NAN, f64::INFINITY] {
+        for (ready, option) in [
+            (Ready::prepare(&params, value, 40.0, None), "--host-step"),
+            (Ready::prepare(&params, 1e-3, value, None), "--wheel-mass"),
+            (Ready::prepare(&params, 1e-3, 40.0, Some(value)), "--for-step"),
+        ] {
+            let message = ready.err().expect("no such host").to_string();
+            assert!(message.starts_with(option) && message.contains("lies between"), "{message}");
+            assert!(message.contains(&format_number(value)) && message.len() < 300, "{message}");
+        }
     }
 }

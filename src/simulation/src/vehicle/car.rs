@@ -3,6 +3,8 @@
 //! Axes: x forward, y to the left, z up. The order of the corners is L1, R1, L2, R2. All heights are relative to the static position, and
 //! all suspension forces are relative to the static forces. So the vehicle starts in equilibrium.
 
+use dashpot_messages::format_number;
+
 /// Masses, dimensions, springs and tires of a vehicle.
 #[derive(Clone, Copy, Debug)]
 pub struct Car {
@@ -41,7 +43,40 @@ pub struct CarValue {
     pub value: f64,
     /// Unit of `value`.
     pub unit: &'static str,
+    /// Lowest and highest value that a file may state, in `unit`.
+    pub bounds: (f64, f64),
 }
+
+/// Names, units and bounds of the numbers of a vehicle, in the order of files and reports.
+///
+/// The bounds include a model car of 1 kg and a haul truck of 600 t with margins. Anti-roll bars and the roll arm may be missing, so theirs
+/// begin at 0.
+///
+/// Test: `numbers_of_no_vehicle_are_rejected_with_their_bounds`.
+const ROWS: [(&str, &str, (f64, f64)); 17] = [
+    ("sprung_mass", "kg", (0.1, 1e6)),
+    ("unsprung_mass", "kg", (1e-3, 1e5)),
+    // Inertias are those of the masses at a radius of gyration of 1 cm to 10 m.
+    ("roll_inertia", "kg m²", (1e-5, 1e8)),
+    ("pitch_inertia", "kg m²", (1e-5, 1e8)),
+    ("yaw_inertia", "kg m²", (1e-5, 1e8)),
+    ("front_axle_distance", "m", (0.01, 30.0)),
+    ("rear_axle_distance", "m", (0.01, 30.0)),
+    ("track", "m", (0.01, 30.0)),
+    ("roll_arm", "m", (0.0, 10.0)),
+    // No spring is stiffer than a steel wheel on a rail, 1e9 N/m.
+    ("front_spring", "N/m", (0.1, 1e9)),
+    ("rear_spring", "N/m", (0.1, 1e9)),
+    ("front_anti_roll", "N/m", (0.0, 1e9)),
+    ("rear_anti_roll", "N/m", (0.0, 1e9)),
+    ("tyre", "N/m", (0.1, 1e9)),
+    // The cornering stiffness is 5 to 60 times the wheel load, N/rad, and the bounds leave a factor of 10.
+    ("cornering", "N/rad", (0.1, 1e9)),
+    // Ice has 0.05, and the slicks of dragsters reach 5.
+    ("grip", "-", (1e-3, 10.0)),
+    // A pushrod rarely leaves 0.3 to 2.
+    ("motion_ratio", "-", (0.01, 10.0)),
+];
 
 /// Reason why a file does not describe a vehicle.
 #[derive(Debug, thiserror::Error)]
@@ -58,7 +93,12 @@ pub enum CarError {
         line: usize,
     },
     /// A value is out of range.
-    #[error("line {line}: {name} = {value} {unit}; it must be {least}")]
+    #[error(
+        "line {line}: {name} = {} {unit} is that of no vehicle; give {} to {} {unit}, and look at the unit",
+        format_number(*value),
+        format_number(bounds.0),
+        format_number(bounds.1)
+    )]
     Range {
         /// Name of the number.
         name: &'static str,
@@ -66,8 +106,8 @@ pub enum CarError {
         value: f64,
         /// Unit of the number.
         unit: &'static str,
-        /// Allowed range.
-        least: &'static str,
+        /// Lowest and highest accepted value, in `unit`.
+        bounds: (f64, f64),
         /// Line number, from 1.
         line: usize,
     },
@@ -93,11 +133,9 @@ impl Car {
             let Some(number) = number else {
                 return Err(CarError::Toml(format!("line {line}: {name} is {value}, which is no number")));
             };
-            // Anti-roll bars and the roll arm may be 0. All other values must be positive.
-            let may_be_zero = name.ends_with("anti_roll") || name == "roll_arm";
-            if !(number.is_finite() && (number > 0.0 || (may_be_zero && number == 0.0))) {
-                let least = if may_be_zero { "0 or more" } else { "more than 0" };
-                return Err(CarError::Range { name: known.name, value: number, unit: known.unit, least, line });
+            let bounds = known.bounds;
+            if !(bounds.0..=bounds.1).contains(&number) {
+                return Err(CarError::Range { name: known.name, value: number, unit: known.unit, bounds, line });
             }
             *car.place_of(known.name) = number;
         }
@@ -106,27 +144,8 @@ impl Car {
 
     /// Returns every number with its name and unit, in the order of files and reports.
     pub fn values(&self) -> [CarValue; 17] {
-        let units = [
-            ("sprung_mass", "kg"),
-            ("unsprung_mass", "kg"),
-            ("roll_inertia", "kg m²"),
-            ("pitch_inertia", "kg m²"),
-            ("yaw_inertia", "kg m²"),
-            ("front_axle_distance", "m"),
-            ("rear_axle_distance", "m"),
-            ("track", "m"),
-            ("roll_arm", "m"),
-            ("front_spring", "N/m"),
-            ("rear_spring", "N/m"),
-            ("front_anti_roll", "N/m"),
-            ("rear_anti_roll", "N/m"),
-            ("tyre", "N/m"),
-            ("cornering", "N/rad"),
-            ("grip", "-"),
-            ("motion_ratio", "-"),
-        ];
         let mut car = *self;
-        units.map(|(name, unit)| CarValue { name, value: *car.place_of(name), unit })
+        ROWS.map(|(name, unit, bounds)| CarValue { name, value: *car.place_of(name), unit, bounds })
     }
 
     /// Returns a mutable reference to the number with this name. Any unknown name refers to the motion ratio, so callers check names first.
@@ -333,13 +352,30 @@ mod tests {
     }
 
     #[test]
+    fn numbers_of_no_vehicle_are_rejected_with_their_bounds() {
+        for of in Car::default().values() {
+            let (low, high) = of.bounds;
+            for value in ["1e308", "-1e308", "-1e-308", "nan", "inf", "-inf"] {
+                let message = Car::read(&format!("{} = {value}\n", of.name)).unwrap_err().to_string();
+                assert!(message.starts_with(&format!("line 1: {} = ", of.name)), "{message}");
+                assert!(message.contains(&format!("{} to {}", format_number(low), format_number(high))), "{message}");
+                assert!(message.len() < 300, "{message}");
+            }
+            let read = |value: f64| Car::read(&format!("{} = {value:e}\n", of.name)).is_ok();
+            assert!(read(low) && read(high) && !read(1.01 * high) && !read(0.99 * low - 1e-9), "{}", of.name);
+            assert_eq!(read(0.0), low == 0.0, "{}", of.name);
+            assert_eq!(read(1e-308), low == 0.0, "{}", of.name);
+        }
+    }
+
+    #[test]
     fn a_vehicle_is_read_by_name() {
         let car = Car::read("sprung_mass = 1800 # kg\nrear_spring = 31e3\nfront_anti_roll = 0\n").unwrap();
         assert_eq!((car.sprung_mass, car.spring, car.anti_roll[0]), (1800.0, [24e3, 31e3], 0.0));
         assert_eq!(Car::read("").unwrap().values(), Car::default().values());
         for (text, wanted) in [
             ("a = 1\n", "line 1: a vehicle has no \"a\"; it has sprung_mass, unsprung_mass"),
-            ("track = 1.5\ntyre = 0\n", "line 2: tyre = 0 N/m; it must be more than 0"),
+            ("track = 1.5\ntyre = 0\n", "line 2: tyre = 0 N/m is that of no vehicle; give 0.1 to 1e9 N/m"),
             ("grip = \"wet\"\n", "line 1: grip is \"wet\""),
             ("track = nan\n", "track = NaN m"),
             ("track", "TOML parse error at line 1"),

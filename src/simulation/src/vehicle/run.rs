@@ -4,6 +4,7 @@ use super::too_fast::{SHORTEST_STEP, TooFast, too_fast};
 use super::{Body, Car, Manoeuvre, Road};
 use crate::chatter::RINGS;
 use dashpot_core::{Input, Model, State, step};
+use dashpot_messages::format_number;
 
 /// Names of the corners of a vehicle: left and right, front (1) and rear (2).
 pub const CORNERS: [&str; 4] = ["L1", "R1", "L2", "R2"];
@@ -54,7 +55,7 @@ pub const SLOW: f64 = 0.02;
 #[derive(Debug, thiserror::Error)]
 pub enum VehicleError {
     /// The step is outside the range of real-time simulators.
-    #[error("a vehicle is stepped by 0.0001 to 0.005 s, not {0}")]
+    #[error("--step is that of a vehicle, 0.0001 to 0.005 s, not {} s", format_number(*.0))]
     Step(f64),
     /// The vehicle became unstable: time, s, and cause.
     #[error("the vehicle left the road after {0:.3} s: {1}")]

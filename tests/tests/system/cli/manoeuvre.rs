@@ -51,7 +51,7 @@ fn every_manoeuvre_tells_what_the_dampers_saw() {
     let stiff = ["manoeuvre", "bump", "model.toml", "--vehicle", "car.toml"];
     let told = refused(at, &stiff);
     assert!(
-        told.contains("unsprung_mass 40 kg on tyre 1000000000 N/m") && told.contains("whatever the damper does"),
+        told.contains("unsprung_mass 40 kg on tyre 1e9 N/m") && told.contains("whatever the damper does"),
         "{told}"
     );
     let step = told.split("take steps of ").nth(1).and_then(|t| t.split(" ms").next()).expect("a step");

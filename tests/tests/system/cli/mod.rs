@@ -3,6 +3,7 @@
 mod about;
 mod accuracy;
 mod against;
+mod bounds;
 mod changes;
 mod check;
 mod contract;

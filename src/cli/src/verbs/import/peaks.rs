@@ -2,6 +2,7 @@
 
 use crate::quantity::newtons;
 use anyhow::{Context as _, bail};
+use dashpot_core::family::LARGEST_SETTING;
 use dashpot_identification::of_peaks::{Begun, family_of_peaks, of_peaks};
 use dashpot_output::Kind;
 use dashpot_records::{PeakOptions, Positive, assignment, peak_clicks};
@@ -39,10 +40,10 @@ pub struct Args {
     #[arg(long, value_name = "N|all|family")]
     clicks: Option<String>,
     /// Gas force that the table's forces include, N
-    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     gas_force: f64,
     /// Friction that the table's forces include, N
-    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0)]
+    #[arg(long, value_name = "N", value_parser = newtons, default_value_t = 0.0, allow_negative_numbers = true)]
     friction: f64,
 }
 
@@ -61,8 +62,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
             clicks.into_iter().map(|click| (Some(click), of_click(&args.output, click))).collect()
         }
         Some(text) => {
-            let click = text.parse().ok().filter(|c: &f64| c.is_finite());
-            let click = click.with_context(|| format!("--clicks takes a number, all or family, not {text:?}"))?;
+            let click = text.parse().ok().filter(|c: &f64| c.abs() <= LARGEST_SETTING);
+            let click = click
+                .with_context(|| format!("--clicks takes a number from -1e9 to 1e9, all or family, not {text:?}"))?;
             vec![(Some(click), args.output.clone())]
         }
     };
