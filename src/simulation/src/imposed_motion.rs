@@ -510,8 +510,8 @@ mod tests {
             }
         }
         // A short time between two samples gives the computed velocity, which has no column of its own.
-        let fast = MotionRecord { time: vec![0.0, 1e-6], displacement: two(0.1), velocity: None, ..still() };
-        assert!(message(fast, None, 1e-6).unwrap_err().contains("velocity is 100000;"));
+        let fast = MotionRecord { time: vec![0.0, 1.0 / 4096.0], displacement: two(0.5), velocity: None, ..still() };
+        assert!(message(fast, None, 1e-4).unwrap_err().contains("velocity is 2048;"));
     }
 
     proptest! {

@@ -174,6 +174,14 @@ impl Limit {
             }
             _ => {}
         }
+        if let Some(velocity) = self.velocity_m_s.filter(|v| *v != 0.0 && !(SPEEDS.0..=SPEEDS.1).contains(&v.abs())) {
+            return Err(format!(
+                "velocity_m_s = {} m/s is no speed of a damper; give a magnitude of {} to {} m/s",
+                format_number(velocity),
+                format_number(SPEEDS.0),
+                SPEEDS.1
+            ));
+        }
         if self.quantity == Quantity::Force {
             match self.velocity_m_s {
                 None => return Err("a force needs the speed at which it is limited, in velocity_m_s".into()),
@@ -185,14 +193,6 @@ impl Limit {
                 }
                 Some(_) => {}
             }
-        }
-        if let Some(velocity) = self.velocity_m_s.filter(|v| *v != 0.0 && !(SPEEDS.0..=SPEEDS.1).contains(&v.abs())) {
-            return Err(format!(
-                "velocity_m_s = {} m/s is no speed of a damper; give a magnitude of {} to {} m/s",
-                format_number(velocity),
-                format_number(SPEEDS.0),
-                SPEEDS.1
-            ));
         }
         match self.amplitude_m {
             Some(amplitude) if !(AMPLITUDES.0..=AMPLITUDES.1).contains(&amplitude) => Err(format!(

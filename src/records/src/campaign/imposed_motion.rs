@@ -256,7 +256,7 @@ mod tests {
             ("time_s,x_m", 0, "time", "1e10 s"),
             ("time_s,x_m", 1, "displacement", "1000 m"),
             ("time_s,v_m_s", 1, "velocity", "1000 m/s"),
-            ("time_s,x_m,side_force_N", 2, "side force", "1e9 N"),
+            ("time_s,x_m,side_force_N", 2, "side_force", "1e9 N"),
             ("time_s,x_m,T_degC", 2, "temperature", "100000 °C"),
             ("time_s,x_m,current [A]", 2, "current", "1e9 A"),
             ("time_s,x_m,Clicks", 2, "setting", "1e9"),

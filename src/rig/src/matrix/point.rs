@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use dashpot_messages::format_number;
+use dashpot_messages::{format_decimals, format_number};
 
 /// Default number of whole measured cycles of a test up to 2 Hz.
 pub const DEFAULT_CYCLES_SLOW: u32 = 3;
@@ -114,7 +114,7 @@ impl TestPoint {
                 format!(
                     "amplitude and mean displacement together reach {} mm from mid-stroke, the damper ends at {:.0} mm; \
                      reduce one of them",
-                    format_number((travel * 1e4).round() / 10.0),
+                    format_decimals(travel * 1e3, 1),
                     TRAVEL_LIMIT_M * 1e3
                 ),
             );
@@ -144,7 +144,7 @@ impl TestPoint {
                 format!(
                     "{} mm/s contradicts amplitude and frequency, 2 pi A f = {:.3} mm/s; \
                      correct one of them or leave one of the three columns empty",
-                    format_number((self.peak_velocity_m_s * 1e6).round() / 1e3),
+                    format_decimals(self.peak_velocity_m_s * 1e3, 3),
                     peak * 1e3
                 ),
             );

@@ -254,7 +254,17 @@ mod tests {
         assert!(with(|o| o.peak_velocities_m_s = vec![1e305]).contains("0.001 to 20000 mm/s"));
         assert!(with(|o| o.amplitudes_m = vec![1e-308]).contains("0.001 to 20000 mm"));
         assert!(with(|o| o.frequency_limit_hz = f64::NAN).contains("frequency limit"));
-        assert!(with(|o| o.frequency_limit_hz = 1e-6).contains("raise the limit"));
+        assert!(with(|o| o.frequency_limit_hz = 1e-3).contains("raise the limit"));
         assert!(with(|o| o.amplitudes_m = vec![0.2]).contains("mid-stroke"));
+        for value in [1e308, -1e308, 1e-308, 0.0, f64::NAN, f64::INFINITY] {
+            for (options, name) in [
+                (MatrixOptions { amplitudes_m: vec![value], ..MatrixOptions::default() }, "amplitudes"),
+                (MatrixOptions { peak_velocities_m_s: vec![value], ..MatrixOptions::default() }, "peak velocities"),
+                (MatrixOptions { frequency_limit_hz: value, ..MatrixOptions::default() }, "frequency limit"),
+            ] {
+                let message = Matrix::thesis(&options).unwrap_err().to_string();
+                assert!(message.starts_with(&format!("option {name}: ")) && message.len() < 300, "{message}");
+            }
+        }
     }
 }
