@@ -3,8 +3,11 @@
 //! Adams uses mm, and CarMaker uses m, so the user may write a unit after the number. A length that no damper has is rejected, because the
 //! user probably meant the unit of the other program.
 
-use crate::fmu::LONGEST;
 use dashpot_messages::format_number;
+
+/// Longest accepted length of a damper, m. A larger number is probably a length in mm. A damper of a heavy truck reaches 1 m, and the limit
+/// leaves a margin.
+pub(crate) const LONGEST: f64 = 3.0;
 
 /// Shortest accepted length of a damper, m. The damper of a toy model car is 0.05 m long, and the limit leaves a margin.
 pub(crate) const SHORTEST: f64 = 0.03;

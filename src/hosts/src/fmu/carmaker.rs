@@ -4,15 +4,11 @@
 //! The file maps quantities of CarMaker to variables of the FMU. Its format follows the templates of IPG: see `vi-crt-bridge/FACTS.md`.
 
 use super::scales::Scales;
-use crate::damper_length::SHORTEST;
+use crate::damper_length::{LONGEST, SHORTEST};
 use crate::plain_curve::PlainCurve;
 use anyhow::bail;
 use dashpot_messages::format_number;
 use std::fmt::Write as _;
-
-/// Longest accepted length of a damper, m. A larger number is probably a length in mm. A damper of a heavy truck reaches 1 m, and the limit
-/// leaves a margin.
-pub const LONGEST: f64 = 3.0;
 
 impl Scales {
     /// Returns the scales for CarMaker.

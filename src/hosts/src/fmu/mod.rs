@@ -11,7 +11,7 @@ mod units;
 mod variables;
 mod veil;
 
-pub use carmaker::{LONGEST, not_in_the_equilibrium, plug_info};
+pub use carmaker::{not_in_the_equilibrium, plug_info};
 pub use scales::Scales;
 pub use sources::Version;
 pub use variables::Inputs;

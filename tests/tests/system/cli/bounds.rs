@@ -291,7 +291,20 @@ fn every_file_rejects_absurd_numbers_in_a_sentence_that_names_its_entry() {
     let simulate = &["simulate", "m.toml", "road.csv", "-o", "-"][..];
     let peaks = &["import", "peaks", "pvp.csv", "-o", "-"][..];
     let check = &["check", "own.toml"][..];
-    let files: [File; 30] = [
+    let import = &["import", "dpr", "own.dpr", "-o", "-"][..];
+    let files: [File; 32] = [
+        (
+            "own.dpr",
+            "$ c\n[MDI_HEADER]\nFILE_TYPE = 'dpr'\n[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nTIME = 'sec'\n[CURVE]\n{ vel force}\n-10 -1\n10 {}\n",
+            import,
+            "",
+        ),
+        (
+            "own.dpr",
+            "$ c\n[MDI_HEADER]\nFILE_TYPE = 'dpr'\n[UNITS]\nLENGTH = 'mm'\nFORCE = 'newton'\nTIME = 'sec'\n[CURVE]\n{ vel force}\n-10 -1\n{} 1\n",
+            import,
+            "",
+        ),
         ("limits.csv", "quantity,high\nfriction,{}\n", validate, "line 2: high"),
         ("limits.csv", "quantity,low\ngas_force,{}\n", validate, "line 2: low"),
         ("limits.csv", "quantity,velocity_m_s,low\nforce,{},1\n", validate, "line 2: velocity_m_s"),

@@ -7,6 +7,7 @@ mod xml;
 
 use dashpot_core::{Model, Params};
 use dashpot_core::{list, number};
+use dashpot_messages::format_number;
 
 /// A force-velocity table in SI.
 #[derive(Debug, Clone, PartialEq, Default)]
@@ -154,11 +155,13 @@ fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
         // Line number for error messages. Of this row and the row before it in the curve, the one that comes later in the file counts.
         let line = if falls && i > 0 { rows[i - 1].1 } else { *own };
         if let Some(before) = curve.velocities.last().filter(|before| *before >= v) {
+            let [v, before] = [*v, *before].map(format_number);
             anyhow::bail!(
                 "line {line}: {v} and {before} are out of order; the first column, velocities in [CURVE], must increase, or decrease, from row to row"
             );
         }
         if let Some(before) = curve.forces.last().filter(|before| rises && *before > f) {
+            let [f, before] = [*f, *before].map(format_number);
             anyhow::bail!(
                 "line {line}: force {f} lies below {before}, that of the next lower velocity; the curve of a damper must not fall. Rebound and tension \
                  are positive in these files: look at the signs, or at the two numbers"
