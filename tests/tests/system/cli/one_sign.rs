@@ -1,5 +1,5 @@
-//! One sign convention for the campaigns of one rig: a group or a reference with clear forces decides for a campaign
-//! whose forces hardly show the sign.
+//! One sign convention for the campaigns of one rig. A group or a reference with clear forces decides for a campaign whose
+//! forces hardly show the sign.
 
 use dashpot_tests::cli::{done, run};
 use std::f64::consts::TAU;
