@@ -169,7 +169,7 @@ def test_sentences_speak_of_arguments_and_not_of_options(tmp_path: Path) -> None
 
 
 def test_no_sentence_about_records_speaks_of_an_option_that_is_an_argument() -> None:
-    source = (Path(__file__).parents[2] / "records" / "src" / "phrases.rs").read_text(encoding="utf-8")
+    source = (Path(__file__).parents[2] / "records" / "src" / "messages" / "phrases.rs").read_text(encoding="utf-8")
     sentences = [text for text in re.findall(r'"((?:[^"\\]|\\.)*)"', source) if "--" in text]
     assert len(sentences) > 30
     for text in sentences:

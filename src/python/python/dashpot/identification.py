@@ -158,6 +158,9 @@ def diagnose(
     :raises DimensionsError: if the dimensions are unusable. The message names file, line and key.
     :raises DiagnosisError: if the records cannot be diagnosed.
     """
+    # The model comes first in the call, so exchanged arguments are reported for it.
+    if not isinstance(model, Family):
+        _check(model)
     own, good = native_of(campaign, "campaign"), None if reference is None else native_of(reference, "reference")
     drawing = None if dimensions is None else os.fspath(dimensions)
     if isinstance(model, Family):
@@ -168,7 +171,6 @@ def diagnose(
             )
         over = FamilyDiagnosis.from_dict(loads(said))
         return replace(over, settings=tuple(replace(one, _curves=tuple(of_one)) for one, of_one in zip(over.settings, cycles, strict=True)))
-    _check(model)
     if setting is not None:
         raise TypeError("setting is that of tests that say none, for a damper that depends on one; this model depends on none")
     with needs(dimensions), watched(progress) as told:
