@@ -118,6 +118,24 @@ pub fn small_campaign(folder: &Path) {
     done(folder, &["rig", "-o", "records", "--matrix", "small.csv", "--seed", "3"]);
 }
 
+/// Writes three sine tests of 20 mm, with peak velocities of 0.05, 0.2 and 0.5 m/s, into a folder.
+///
+/// `law` returns the force, N, tension positive, at a velocity, m/s, extension positive. The files count displacement and
+/// force times `sign`.
+pub fn write_sines(folder: &Path, sign: f64, mut law: impl FnMut(f64) -> f64) {
+    std::fs::create_dir_all(folder).expect("a folder");
+    for (name, speed) in [("slow", 0.05), ("medium", 0.2), ("fast", 0.5)] {
+        let rate = speed / 0.02;
+        let mut text = String::from("time_s,displacement_mm,force_N\n");
+        for sample in 0..2000 {
+            let time = f64::from(sample) * 4.0 * std::f64::consts::TAU / rate / 2000.0;
+            let (displacement, velocity) = (20.0 * (rate * time).sin(), speed * (rate * time).cos());
+            text += &format!("{time:.6},{:.5},{:.3}\n", sign * displacement, sign * law(velocity));
+        }
+        std::fs::write(folder.join(format!("{name}.csv")), text).expect("a file");
+    }
+}
+
 /// Header of the records in [`campaign_folder`].
 pub const HEADER: &str = "time_s,displacement_m,velocity_m_s,force_N";
 

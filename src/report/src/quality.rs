@@ -22,11 +22,7 @@ pub fn sentence(quality: &Quality, words: &Words) -> String {
     let by_noise = model.mean_error_n / noise_n;
     let is_known = by_noise.is_finite();
     let no_better = fv_only.mean_error_n < BETTER * model.mean_error_n;
-    let grade = match grade(by_noise, model.error_percent, words) {
-        // An FV curve without hysteresis and friction is as good, so the model has no merit.
-        fair if fair == words.quality_fair && no_better => words.quality_poor,
-        grade => grade,
-    };
+    let grade = grade(by_noise, model.error_percent, !no_better, words);
     let beside = if is_known {
         words.fill(words.quality_beside_noise, &[("ratio", &digits(by_noise, 2)), ("noise", &digits(*noise_n, 2))])
     } else {
@@ -53,13 +49,14 @@ pub fn sentence(quality: &Quality, words: &Words) -> String {
     )
 }
 
-/// Rates an error by its ratio to the noise (NaN if the noise is unknown) and by its percentage of the largest force.
-pub fn grade<'a>(by_noise: f64, percent: f64, words: &'a Words) -> &'a str {
+/// Rates an error by its ratio to the noise (NaN if the noise is unknown) and by its percentage of the largest force. An
+/// error that is only fair counts as poor unless the model is better than the FV curve.
+pub fn grade(by_noise: f64, percent: f64, is_better: bool, words: &Words) -> &str {
     if by_noise <= NOISE {
         words.quality_noise
     } else if percent <= GOOD {
         words.quality_good
-    } else if percent <= FAIR {
+    } else if percent <= FAIR && is_better {
         words.quality_fair
     } else {
         words.quality_poor

@@ -475,6 +475,8 @@ mod tests {
 
     #[test]
     fn numbers_beyond_their_bounds_are_rejected_in_a_short_sentence() {
+        // Records cannot depend on the kernel, so the bound of a setting is stated twice.
+        assert_eq!(motion_limit(Channel::Setting), dashpot_core::family::LARGEST_SETTING);
         let still = || MotionRecord { time: vec![0.0, 1.0], velocity: Some(vec![0.0; 2]), ..MotionRecord::default() };
         let message = |record: MotionRecord, position: Option<f64>, step: f64| {
             let made = ImposedMotion::new(record, position).and_then(|motion| motion.resampled(step));

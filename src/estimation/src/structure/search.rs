@@ -167,7 +167,7 @@ impl StructureSearch {
                 *forms = select_promising(&trials);
             }
             self.last = trials.clone();
-            let rare = self.best.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count();
+            let rare = count_rare(&self.best, context);
             // Unnamed errors compete with effects. A rare effect is added only if it is more probable than every
             // unnamed error, and if fewer than `context.most` rare effects are present.
             let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
@@ -203,8 +203,7 @@ impl StructureSearch {
         if self.best.evidence.mean() < QUIET * QUIET {
             return false;
         }
-        let rare = |of: &Structure| of.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count();
-        let may = |t: &&Trial| t.unnamed.is_none() && rare(&t.structure) <= context.most;
+        let may = |t: &&Trial| t.unnamed.is_none() && count_rare(&t.structure, context) <= context.most;
         let mut firsts: Vec<&Trial> = Vec::new();
         for trial in singles.iter().filter(may) {
             if firsts.len() < FIRSTS && firsts.iter().all(|first| first.form.0 != trial.form.0) {
@@ -374,6 +373,11 @@ impl Temperatures {
     pub fn log_weight(self, log_posterior: f64, log_prior: f64) -> f64 {
         (log_posterior - log_prior) / self.records + log_prior / self.prior
     }
+}
+
+/// Returns the number of rare effects of a structure.
+fn count_rare(of: &Structure, context: &SearchContext) -> usize {
+    of.components.iter().filter(|c| is_rare(c.effect, c.form, context.priors)).count()
 }
 
 /// Returns the structure with the largest log posterior.

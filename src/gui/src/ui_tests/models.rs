@@ -197,14 +197,7 @@ fn an_undo_behind_the_question_does_not_answer_it() {
 
 #[test]
 fn values_tuned_at_a_setting_are_not_lost_by_going_to_another() {
-    let folder = tempfile::tempdir().unwrap();
-    campaign(folder.path(), 6);
-    let models = tempfile::tempdir().unwrap();
-    let file = models.path().join("family.toml");
-    std::fs::write(&file, FAMILY).unwrap();
-    let mut harness = window(vec![]);
-    harness.state_mut().session.open(&[folder.path().to_owned(), file]);
-    until(&mut harness, "forces of all tests", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    let (_folders, mut harness) = window_of_family(6);
     harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 123.0));
     let tuned = params(&harness);
     // A reset frees the slider, and the reset can be undone.
@@ -408,16 +401,23 @@ fn the_tables_of_velocities_are_shown_and_saved() {
 const FAMILY: &str = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n\
      fv_velocity = [-1.0, 0.0, 1.0]\nfv_force = [[-800.0, 0.0, 1200.0], [-2400.0, 0.0, 3600.0]]\n";
 
-#[test]
-fn a_slider_goes_over_the_setting_of_a_family_and_its_loops_follow() {
+/// Opens a campaign of `tests` tests with [`FAMILY`] and waits for the forces of all tests. The folders exist as long as
+/// their values.
+fn window_of_family(tests: usize) -> ([tempfile::TempDir; 2], Harness<'static, App>) {
     let folder = tempfile::tempdir().unwrap();
-    campaign(folder.path(), 12);
+    campaign(folder.path(), tests);
     let models = tempfile::tempdir().unwrap();
     let file = models.path().join("family.toml");
     std::fs::write(&file, FAMILY).unwrap();
     let mut harness = window(vec![]);
     harness.state_mut().session.open(&[folder.path().to_owned(), file]);
     until(&mut harness, "forces of all tests", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    ([folder, models], harness)
+}
+
+#[test]
+fn a_slider_goes_over_the_setting_of_a_family_and_its_loops_follow() {
+    let (_folders, mut harness) = window_of_family(12);
     let most = |harness: &Harness<'_, App>| {
         let lines = &harness.state().view.lines.lines;
         let own = lines.iter().filter(|line| line.whose != Whose::Measured);

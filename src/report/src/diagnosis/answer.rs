@@ -68,7 +68,7 @@ fn rating(found: &Diagnosis, words: &Words) -> Option<String> {
         _ => (words.rating_fitted, after.rmse_n, after.noise_n),
     };
     let ratio = error / noise;
-    let grade = ratio.is_finite().then(|| grade(ratio, after.error_percent, words))?;
+    let grade = ratio.is_finite().then(|| grade(ratio, after.error_percent, true, words))?;
     let values = [("grade", grade), ("error", &digits(error, 3)), ("ratio", &digits(ratio, 2))];
     Some(words.fill(text, &values))
 }

@@ -1,27 +1,16 @@
 //! Several changes of a damper relative to a reference, in few tests.
 
 use dashpot_test_support::Random;
-use dashpot_tests::cli::{done, json, number};
-use std::f64::consts::TAU;
-use std::fmt::Write as _;
+use dashpot_tests::cli::{done, json, number, write_sines};
 use std::path::Path;
 
 /// Writes three tests of a damper with a proportional force in each direction, N s/m, a gas force, N, and noise.
 fn write_campaign(folder: &Path, [rebound, compression, gas]: [f64; 3]) {
-    std::fs::create_dir_all(folder).unwrap();
     let mut random = Random(1);
-    for (name, speed) in [("slow", 0.05), ("medium", 0.2), ("fast", 0.5)] {
-        let rate = speed / 0.02;
-        let mut text = String::from("time_s,displacement_mm,force_N\n");
-        for sample in 0..2000 {
-            let time = f64::from(sample) * 4.0 * TAU / rate / 2000.0;
-            let (displacement, velocity) = (20.0 * (rate * time).sin(), speed * (rate * time).cos());
-            let damping = if velocity > 0.0 { rebound } else { compression };
-            let force = damping * velocity + gas + random.between(-5.0, 5.0);
-            writeln!(text, "{time:.6},{displacement:.5},{force:.3}").unwrap();
-        }
-        std::fs::write(folder.join(format!("{name}.csv")), text).unwrap();
-    }
+    write_sines(folder, 1.0, |velocity| {
+        let damping = if velocity > 0.0 { rebound } else { compression };
+        damping * velocity + gas + random.between(-5.0, 5.0)
+    });
 }
 
 #[test]
