@@ -313,6 +313,12 @@ pub(crate) mod deviating_tests {
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const OF_OWN: f64 = 0.35;
 
+    /// Difference of force ratios between motions that repeated tests have by chance, as a natural logarithm. It keeps
+    /// the ratio of two small disagreements from being taken for a sure sign of mirrored labels.
+    ///
+    /// Test: `motions_counted_from_the_other_end_are_named_up_to_half_of_them`.
+    pub(crate) const REPEATED: f64 = 0.02;
+
     /// Largest relative difference of amplitude and peak velocity between equal motions.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.

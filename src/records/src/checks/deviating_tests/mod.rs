@@ -9,6 +9,9 @@
 //! - A wrong unit of force, displacement, velocity or time changes the force by the ratio of two units.
 //! - With the label of another setting, the forces are those of the reference of that setting.
 //!
+//! Labels that count from the other end are found first, for all tests of a motion together, and are corrected for the
+//! comparisons above.
+//!
 //! A wrong label is stated unless the residual with a wrong unit is smaller by [`AS_LIKELY`]. A wrong unit rejects the
 //! campaign. A wrong label gives a note, which also names a unit that would explain the forces.
 //!
@@ -16,9 +19,11 @@
 //! |---|---|
 //! | [`reference`] | the reference of a setting |
 //! | [`unit`] | another unit of a channel |
+//! | [`mirrored`] | labels that count from the other end of the settings |
 //! | [`label`] | the label of another setting |
 
 mod label;
+mod mirrored;
 mod reference;
 mod unit;
 
@@ -53,6 +58,8 @@ struct Seen<'a> {
     record: &'a Record,
     reading: &'a Reading<'a>,
     levels: Levels,
+    /// Index of the stated setting. The test is compared at another setting if its label counts from the other end.
+    stated: usize,
 }
 
 impl Seen<'_> {
@@ -79,11 +86,14 @@ pub(crate) fn check(
         .filter(|record| !shows_noise_alone(record))
         .filter_map(|record| {
             let levels: Levels = levels(record, |_| true).into_iter().filter(|(_, l)| l.against > 0.0).collect();
-            Some(Seen { record, reading: readings.get(&record.source)?, levels })
+            Some(Seen { record, reading: readings.get(&record.source)?, levels, stated: 0 })
         })
         .filter(|seen| !seen.levels.is_empty())
         .collect();
-    let settings = by_setting(seen);
+    let mut settings = by_setting(seen);
+    let mirror = mirrored::mirror(&settings);
+    correct_mirrored(&mut settings, &mirror);
+    let settings = settings;
     let references: Vec<Option<Reference<'_>>> = settings
         .iter()
         .map(|tests| {
@@ -93,18 +103,22 @@ pub(crate) fn check(
         .collect();
     let labels = Labels::new(&settings, &references);
     let mut wrong: BTreeMap<(usize, usize), Labeled<'_>> = BTreeMap::new();
-    for (stated, tests) in settings.iter().enumerate() {
-        let Some(reference) = &references[stated] else { continue };
+    for (own, tests) in settings.iter().enumerate() {
+        for test in tests.iter().filter(|test| test.stated != own) {
+            wrong.entry((test.stated, own)).or_default().tests.push(test);
+        }
+        let Some(reference) = &references[own] else { continue };
         let mut units: BTreeMap<(Channel, Unit, Vec<Unit>), Vec<&Seen<'_>>> = BTreeMap::new();
         for (place, test) in tests.iter().enumerate() {
             let agrees = reference.tests.iter().any(|own| std::ptr::eq(*own, test));
             let unit = if agrees { None } else { find_wrong_unit(test, reference) };
-            let label = labels.find_wrong(stated, place);
+            // A label that counts from the other end explains the forces already.
+            let label = if test.stated == own { labels.find_wrong(own, place) } else { None };
             match (unit, label) {
                 (unit, Some(label)) if unit.as_ref().is_none_or(|unit| label.left < unit.left + AS_LIKELY) => {
-                    let own = wrong.entry((stated, label.fitting)).or_default();
-                    own.tests.push(test);
-                    own.unit = own.unit.take().or(unit);
+                    let labeled = wrong.entry((own, label.fitting)).or_default();
+                    labeled.tests.push(test);
+                    labeled.unit = labeled.unit.take().or(unit);
                 }
                 (Some(unit), _) => {
                     units.entry((unit.channel, unit.written, unit.likely)).or_default().push(test);
@@ -114,7 +128,7 @@ pub(crate) fn check(
         }
         refuse_units(units, reference, records.len())?;
     }
-    notes.extend(label_note(wrong.into_iter().collect(), &settings, records.len()));
+    notes.extend(label_note(wrong.into_iter().collect(), &settings, &mirror, records.len()));
     Ok(())
 }
 
@@ -145,7 +159,29 @@ fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
     }
     let value = |group: &Vec<Seen<'_>>| group[0].record.setting.as_ref().map_or(f64::NEG_INFINITY, |of| of.value);
     groups.sort_by(|a, b| value(a).total_cmp(&value(b)));
+    for (stated, group) in groups.iter_mut().enumerate() {
+        group.iter_mut().for_each(|test| test.stated = stated);
+    }
     groups
+}
+
+/// Moves the tests whose labels count from the other end to the settings of their forces. A setting that would be left
+/// without a test keeps its tests.
+fn correct_mirrored(settings: &mut [Vec<Seen<'_>>], mirror: &[Option<usize>]) {
+    let mut moved = mirrored::mirrored_tests(settings, mirror);
+    moved.sort_unstable();
+    let mut taken = Vec::new();
+    // From the last test on, so that the indices of earlier tests stay valid.
+    for (setting, place) in moved.into_iter().rev() {
+        if let Some(to) = mirror[setting]
+            && settings[setting].len() > 1
+        {
+            taken.push((to, settings[setting].remove(place)));
+        }
+    }
+    for (to, test) in taken.into_iter().rev() {
+        settings[to].push(test);
+    }
 }
 
 /// Rejects tests of one damper at one setting that likely use another unit. `all` is the number of tests read.
@@ -176,8 +212,14 @@ fn refuse_units(
 }
 
 /// Returns a note about tests that likely have the label of another setting. `found` holds them by the indices of the
-/// stated setting and of the setting with their forces. `all` is the number of tests read.
-fn label_note(found: Vec<((usize, usize), Labeled<'_>)>, settings: &[Vec<Seen<'_>>], all: usize) -> Option<Note> {
+/// stated setting and of the setting with their forces. `mirror` is the index of each setting counted from the other
+/// end, and `all` the number of tests read.
+fn label_note(
+    found: Vec<((usize, usize), Labeled<'_>)>,
+    settings: &[Vec<Seen<'_>>],
+    mirror: &[Option<usize>],
+    all: usize,
+) -> Option<Note> {
     let setting = |index: usize| -> Option<&Setting> { settings[index][0].record.setting.as_ref() };
     let name = &setting(found.first()?.0.0)?.name;
     let in_words = |index: usize| setting(index).map_or(String::new(), |of| setting_in_words(of.value, &of.unit));
@@ -196,10 +238,7 @@ fn label_note(found: Vec<((usize, usize), Labeled<'_>)>, settings: &[Vec<Seen<'_
         }
     });
     let count: usize = found.iter().map(|(_, labeled)| labeled.tests.len()).sum();
-    // The group of tests without a stated setting is first in the order.
-    let first = settings.iter().position(|tests| tests[0].record.setting.is_some())?;
-    let is_mirrored =
-        found.len() > 1 && found.iter().all(|((stated, fitting), _)| stated - first + fitting + 1 == settings.len());
+    let is_mirrored = found.len() > 1 && found.iter().all(|((stated, fitting), _)| mirror[*stated] == Some(*fitting));
     let advice = if is_mirrored { phrases::LABELS_MIRRORED } else { phrases::LABELS_CHECK };
     let text = Sentence::from(phrases::LABELS_DEVIATE)
         .with("count", count)
@@ -381,6 +420,29 @@ mod tests {
         assert!(mirrored.contains("(label 0, forces of 4)") && mirrored.contains("from the other end"), "{mirrored}");
         // A motion that deviates alike at every setting has the right labels.
         assert_eq!(measured(&|value, _| value, &|i| if i == 3 { 0.7 } else { 1.0 }), "");
+    }
+
+    /// Checks campaigns in which the labels of up to half of the motions count from the other end. The forces at the
+    /// ends of the settings differ by a factor of 1.7 or of 10, which is also the ratio of two units.
+    #[test]
+    fn motions_counted_from_the_other_end_are_named_up_to_half_of_them() {
+        let values = [2.0, 6.0, 14.0, 18.0];
+        for ratio in [libm::pow(1.7, 1.0 / 16.0), libm::pow(10.0, 1.0 / 16.0)] {
+            // Motion 4 shares no velocity with the others, so its labels cannot be judged. In the last case, half of
+            // the motions count from each end, and those without the first motion are named.
+            for (wrong, all) in [(&[2][..], 6), (&[0, 3], 6), (&[3, 5], 6), (&[2, 3], 4)] {
+                let labels = |value: f64, i: usize| if wrong.contains(&i) { 20.0 - value } else { value };
+                let mut records = adjustable(ratio, &values, labels);
+                records.retain(|record| (0..all).any(|i| record.name.ends_with(&format!(" {i}"))));
+                let mirrored = said(&records, &Options::default());
+                let count = format!("{} of {} tests", 4 * wrong.len(), 4 * all);
+                assert!(mirrored.contains(&count), "{wrong:?} at {ratio}: {mirrored}");
+                assert!(mirrored.contains("counted from the other end"), "{wrong:?} at {ratio}: {mirrored}");
+                let is_named = |i: usize| mirrored.contains(&format!("t{i} {i}"));
+                assert!((0..6).all(|i| is_named(i) == wrong.contains(&i)), "{wrong:?} at {ratio}: {mirrored}");
+            }
+            assert_eq!(said(&adjustable(ratio, &values, |value, _| value), &Options::default()), "");
+        }
     }
 
     #[test]
