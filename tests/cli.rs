@@ -11,6 +11,11 @@ use std::sync::OnceLock;
 pub fn program() -> &'static Path {
     static PROGRAM: OnceLock<PathBuf> = OnceLock::new();
     PROGRAM.get_or_init(|| {
+        // The library and the Python environment take a minute on one core. Tests of hosts would wait for them.
+        std::thread::spawn(|| {
+            crate::library::directory();
+            crate::python::prepare();
+        });
         build_program();
         profile_folder().join("dashpot")
     })

@@ -28,6 +28,11 @@ pub fn python() -> PathBuf {
     made().as_ref().unwrap_or_else(|missing| panic!("this test {missing}")).clone()
 }
 
+/// Creates the Python environment, so that later tests do not wait for it. A failure is reported by the first of them.
+pub fn prepare() {
+    let _ = made();
+}
+
 fn made() -> &'static Result<PathBuf, String> {
     static PYTHON: OnceLock<Result<PathBuf, String>> = OnceLock::new();
     PYTHON.get_or_init(|| {
