@@ -3,7 +3,7 @@
 use super::advice::Advice;
 use super::calibration::confidence;
 use super::changes::{Change, changes};
-use super::decisions::{MATERIAL, NAMED, QUIET, UNEXPLAINED};
+use super::decisions::{MATERIAL, MISSED, NAMED, QUIET, UNEXPLAINED};
 use super::detection_limit;
 use super::effects::{self, meaning};
 use super::name_of::name_of;
@@ -43,9 +43,6 @@ const UNDECIDED: usize = 3;
 /// error. Unnamed errors are tilted guides, load cell hysteresis and a resonance. The threshold represents the prior
 /// odds of such an error.
 const UNNAMED: f64 = 1.0;
-/// Mean square residual above which a diagnosis without findings lists a test in a note. It is relative to the square
-/// of the error expected from noise and curve form.
-const LOUD: f64 = 4.0;
 
 /// Records, tests and structures from which the outcome of a diagnosis is composed.
 pub(super) struct Composed<'a> {
@@ -321,12 +318,21 @@ impl Composed<'_> {
             let also: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let also = (!also.is_empty())
                 .then(|| Sentence::from(phrases::ALSO_CHANGED).with_list("changes", also, phrases::COMMA));
-            let rest = if after.sqrt() <= QUIET { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
+            // The mean over tests may be at the level of the noise although the model misses one test clearly.
+            let missed = self.missed_tests();
+            let is_complete = after.sqrt() <= QUIET && missed.is_none();
+            notes.extend(missed);
+            let rest = if is_complete { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
+            let [before, after] = [before, after].map(|mean_square| format!("{:.2}", mean_square.sqrt()));
+            // A more probable structure may have fewer or other parameters and no smaller residual.
+            let falls = self.best.evidence.mean() < self.start.evidence.mean() && before != after;
+            let residual = Sentence::from(if falls { phrases::RESIDUAL_FALLS } else { phrases::RESIDUAL_STAYS })
+                .with("before", before)
+                .with("after", after);
             let summary =
                 Sentence::from(if self.against.is_some() { phrases::NEW_EFFECT } else { phrases::HAS_EFFECT })
                     .with_list("names", names, phrases::COMMA)
-                    .with("before", format!("{:.2}", before.sqrt()))
-                    .with("after", format!("{:.2}", after.sqrt()))
+                    .with_sentence("residual", residual)
                     .with_sentence("rest", Sentence::from(rest))
                     .with_any("also", also);
             return Judged { verdict: Verdict::Named, summary, suspects, notes };
@@ -350,27 +356,7 @@ impl Composed<'_> {
         let unnamed = self.search.unnamed.iter().max_by(|a, b| a.1.total_cmp(&b.1));
         let looks_like = unnamed.filter(|(_, log)| *log > self.search.best.log_posterior + UNNAMED);
         if after.sqrt() <= QUIET && suspects.iter().all(|r| r.confidence < 0.5 * NAMED) && gone.is_empty() {
-            let mut loud: Vec<(&Test, f64)> = self
-                .fitted
-                .iter()
-                .zip(&self.best.evidence.mean_squares)
-                .filter(|(_, square)| **square > LOUD)
-                .map(|(test, square)| (test, square.sqrt()))
-                .collect();
-            loud.sort_by(|a, b| b.1.total_cmp(&a.1));
-            // A record may be divided into sections, each of which is a test. The note names such a record once, with
-            // its worst section.
-            let mut named = BTreeSet::new();
-            loud.retain(|(test, _)| named.insert(test.record));
-            if !loud.is_empty() {
-                let told = |(t, times): &(&Test, f64)| {
-                    Sentence::from(phrases::TEST_AND_TIMES)
-                        .with("test", &t.segment.name)
-                        .with("times", format!("{times:.1}"))
-                };
-                let tests = loud.iter().take(LISTED).map(told).collect();
-                notes.push(Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA));
-            }
+            notes.extend(self.missed_tests());
             notes.extend(detection_limit::note(&self.fitted, &self.best.evidence.mean_squares));
             let none = (1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>()).clamp(0.01, 0.99);
             let nothing = if self.against.is_some() { phrases::UNCHANGED } else { phrases::NOTHING_MISSING };
@@ -403,6 +389,27 @@ impl Composed<'_> {
         let summary =
             Sentence::from(phrases::UNKNOWN_EFFECT).with_sentence("times", times(before)).with_any("nearest", nearest);
         Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
+    }
+
+    /// Names the tests in which the residual of the best structure exceeds [`MISSED`]. Returns `None` if there is none.
+    fn missed_tests(&self) -> Option<Sentence> {
+        let mut loud: Vec<(&Test, f64)> = self
+            .fitted
+            .iter()
+            .zip(&self.best.evidence.mean_squares)
+            .filter(|(_, square)| **square > MISSED * MISSED)
+            .map(|(test, square)| (test, square.sqrt()))
+            .collect();
+        loud.sort_by(|a, b| b.1.total_cmp(&a.1));
+        // A record may be divided into sections, each of which is a test. The note names such a record once, with its
+        // worst section.
+        let mut named = BTreeSet::new();
+        loud.retain(|(test, _)| named.insert(test.record));
+        let told = |(t, times): &(&Test, f64)| {
+            Sentence::from(phrases::TEST_AND_TIMES).with("test", &t.segment.name).with("times", format!("{times:.1}"))
+        };
+        let tests: Vec<Sentence> = loud.iter().take(LISTED).map(told).collect();
+        (!tests.is_empty()).then(|| Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA))
     }
 
     /// Returns the trials, most probable first. Each trial adds one form of an effect to the best structure.
@@ -478,7 +485,9 @@ impl Composed<'_> {
                 family,
                 confidence: probability(effect),
                 family_confidence: family_confidence.max(probability(effect)).min(1.0),
-                fraction: ((without - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
+                // Without the effect, the structure may fit worse than the given model, because other elements follow
+                // from it. The effect explains no more than the given model missed.
+                fraction: ((without.min(before) - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
                 force_n_rms: item.map_or(0.0, |i| i.force_n_rms),
                 of_the_rig: component.is_of_measurement(),
                 parameters,
@@ -524,7 +533,8 @@ impl Composed<'_> {
             errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
         };
         let (before, with, less) = (of(&self.start)?, of(&self.best)?, of(less)?);
-        (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
+        // Without the effect, the structure may fit worse than the given model. That part was never a gap.
+        (before > 1.02 * noise).then(|| ((less.min(before) - with) / (before - noise)).clamp(-1.0, 1.0))
     }
 
     /// Returns the accuracy of the integration that computes the residuals. A comparison with a reference uses the low

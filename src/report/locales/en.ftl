@@ -357,7 +357,7 @@ quality-poor = Poor fit
 quality-beside-noise = { $ratio } times the noise of the records ({ $noise } N)
 quality-noise-unknown = the noise of these records is not known
 quality-curve-worse = the FV curve alone misses it by { $error } N ({ $percent } %), { $ratio } times as much
-quality-curve-no-worse = the FV curve alone has no larger error, { $error } N ({ $percent } %)
+quality-curve-no-worse = the FV curve alone is about as good or better, { $error } N ({ $percent } %)
 fit-measured = What the measurement is off by
 fit-tests = Tests fitted
 remarks = Remarks
@@ -410,6 +410,7 @@ error-fitted = No test was left out (too few, or none named), so these figures s
 rating-left-out = { $grade }: on the left-out tests the model misses the measured force by { $error } N rms, { $ratio } times their noise.
 rating-fitted = { $grade }: on the fitted tests the model misses the measured force by { $error } N rms, { $ratio } times their noise.
 gap-is-closed = { $error }; { $gap } of the gap between model and noise is closed, each test counted in units of its own noise.
+gap-grows = { $error }; the gap between model and noise grows by { $gap }, each test counted in units of its own noise.
 nothing-stays = The model stays as it is; only its numbers were refitted.
 changed-stays = The model keeps its form; its numbers are this damper's now.
 nothing-added-rivals = Nothing was added: a guess between names that explain the records equally well would be worth nothing. The suspects are below, and the tests that would decide.
@@ -422,6 +423,7 @@ col-left-out-rms = left-out tests, N rms
 mean-cycles-caption = On mean cycles, which have less noise than single ones. Error in percent: mean |computed − measured| of a test over its largest force, mean over all tests.
 whole-deviation = { $error } N mean ({ $percent } %)
 whole-records = Over every sample of all records, as dashpot validate measures: { $came } as the model came, { $refitted } refitted, { $improved } improved. The figures above are of mean cycles, in which noise is averaged out.
+whole-records-refitted = Over every sample of all records, as dashpot validate measures: { $came } as the model came, { $refitted } refitted. The figures above are of mean cycles, in which noise is averaged out.
 
 ## The picture of a diagnosis.
 
@@ -485,10 +487,11 @@ shifts-section = Numbers of the model that moved
 finding-heading = { $place }. { $effect }{ $form }: { $sure } sure
 finding-form = , form { $form }
 finding-gap = { " " }Without it { $gap } of the gap opens again.
+finding-disagreement = { " " }Without it { $gap } of the disagreement opens again.
 finding-of-rig = It is of the rig, not of the damper: corrected in the comparison, not put into the model.
 finding-added = It is added to the improved model.
 finding-what = { $meaning }. { $added }{ $gap }
-finding-why = Where: { $path } (family { $family }, { $family_sure } sure). Why: without it { $share } of the disagreement opens again; it leaves less of { $tests } of the tests.
+finding-why = Where: { $path } (family { $family }, { $family_sure } sure). With it the residual is smaller in { $tests } of the tests.
 rivals-caption = What else was tried in its place.
 col-parameter = parameter
 col-judged = judged
@@ -511,6 +514,7 @@ loops-about = The tests whose disagreement before is the largest share of their 
 loop-heading = { $test }, { $kind }
 loop-errors = Error { $before } N rms before, { $after } N after; noise alone makes { $noise } N.{ $closed }
 loop-closed = { " " }{ $gap } of the gap is closed.
+loop-grown = { " " }The gap grows by { $gap }.
 
 ## Errors by amplitude and peak velocity, before and after.
 
@@ -572,7 +576,7 @@ other-groups = further groups
 plot-group-curves = FV curves of all groups
 group-curves-caption = Force of every damper moving steadily, with friction and gas, as far as its tests reach; dashed: the reference.
 numbers-section = Numbers that changed
-numbers-caption = Numbers of the model that differ from the reference in at least one group by more than both leave open.
+numbers-caption = Numbers of the model that differ from the reference in at least one group by more than both leave open. Below them, the numbers of the effects that were named.
 col-quantity = number
 measurement-section = The measurement itself
 aside-section = Left aside

@@ -357,7 +357,7 @@ quality-poor = Mauvais ajustement
 quality-beside-noise = { $ratio } fois le bruit des mesures ({ $noise } N)
 quality-noise-unknown = le bruit de ces mesures n’est pas connu
 quality-curve-worse = la courbe FV seule s’en écarte de { $error } N ({ $percent } %), { $ratio } fois autant
-quality-curve-no-worse = la courbe FV seule n’est pas plus mauvaise, { $error } N ({ $percent } %)
+quality-curve-no-worse = la courbe FV seule est à peu près aussi bonne ou meilleure, { $error } N ({ $percent } %)
 fit-measured = Erreurs de la mesure
 fit-tests = Essais ajustés
 remarks = Remarques
@@ -410,6 +410,7 @@ error-fitted = Aucun essai n’a été mis de côté (trop peu, ou aucun désign
 rating-left-out = { $grade } : sur les essais écartés, le modèle s’écarte de l’effort mesuré de { $error } N efficaces, { $ratio } fois leur bruit.
 rating-fitted = { $grade } : sur les essais ajustés, le modèle s’écarte de l’effort mesuré de { $error } N efficaces, { $ratio } fois leur bruit.
 gap-is-closed = { $error } ; { $gap } de l’écart entre modèle et bruit sont comblés, chaque essai compté en unités de son propre bruit.
+gap-grows = { $error } ; l’écart entre modèle et bruit augmente de { $gap }, chaque essai compté en unités de son propre bruit.
 nothing-stays = Le modèle reste tel quel ; seuls ses paramètres ont été réajustés.
 changed-stays = Le modèle garde sa forme ; ses paramètres sont maintenant ceux de cet amortisseur.
 nothing-added-rivals = Rien n’a été ajouté : choisir au hasard entre des noms qui expliquent aussi bien les mesures ne vaudrait rien. Les causes possibles sont plus bas, avec les essais qui trancheraient.
@@ -422,6 +423,7 @@ col-left-out-rms = essais mis de côté, N efficaces
 mean-cycles-caption = Sur des cycles moyens, moins bruités que des cycles seuls. Écart en pour cent : moyenne de |calculé − mesuré| d’un essai rapportée à son plus grand effort, moyenne sur tous les essais.
 whole-deviation = { $error } N en moyenne ({ $percent } %)
 whole-records = Sur tous les échantillons de toutes les mesures, comme le fait dashpot validate : { $came } avec le modèle tel que fourni, { $refitted } réajusté, { $improved } amélioré. Les chiffres ci-dessus portent sur des cycles moyens, où le bruit s’annule en moyenne.
+whole-records-refitted = Sur tous les échantillons de toutes les mesures, comme le fait dashpot validate : { $came } avec le modèle tel que fourni, { $refitted } réajusté. Les chiffres ci-dessus portent sur des cycles moyens, où le bruit s’annule en moyenne.
 
 ## The picture of a diagnosis.
 
@@ -485,10 +487,11 @@ shifts-section = Paramètres du modèle qui ont bougé
 finding-heading = { $place }. { $effect }{ $form } : sûr à { $sure }
 finding-form = { " " }({ $form })
 finding-gap = { " " }Sans lui, { $gap } de l’écart réapparaissent.
+finding-disagreement = { " " }Sans lui, { $gap } du désaccord reviennent.
 finding-of-rig = Il vient du banc, non de l’amortisseur : corrigé dans la comparaison, non mis dans le modèle.
 finding-added = Il est ajouté au modèle amélioré.
 finding-what = { $meaning }. { $added }{ $gap }
-finding-why = Où : { $path } (famille : { $family }, sûr à { $family_sure }). Pourquoi : sans lui, { $share } du désaccord reviennent ; il laisse moins de reste dans { $tests } des essais.
+finding-why = Où : { $path } (famille : { $family }, sûr à { $family_sure }). Avec lui, le résidu est plus petit dans { $tests } des essais.
 rivals-caption = Ce qui a été essayé d’autre à sa place.
 col-parameter = paramètre
 col-judged = jugement
@@ -511,6 +514,7 @@ loops-about = Les essais dont le désaccord avant est la plus grande part de leu
 loop-heading = { $test }, { $kind }
 loop-errors = Écart { $before } N efficaces avant, { $after } N après ; le bruit seul donne { $noise } N.{ $closed }
 loop-closed = { " " }{ $gap } de l’écart sont comblés.
+loop-grown = { " " }L’écart augmente de { $gap }.
 
 ## Errors by amplitude and peak velocity, before and after.
 
@@ -572,7 +576,7 @@ other-groups = autres groupes
 plot-group-curves = Courbes FV de tous les groupes
 group-curves-caption = Effort de chaque amortisseur à vitesse constante, frottement et gaz compris, aussi loin que vont ses essais ; en tirets : la référence.
 numbers-section = Paramètres qui ont changé
-numbers-caption = Paramètres du modèle qui, dans au moins un groupe, diffèrent de la référence de plus que ce que les deux laissent ouvert.
+numbers-caption = Paramètres du modèle qui, dans au moins un groupe, diffèrent de la référence de plus que ce que les deux laissent ouvert. En dessous, les nombres des effets nommés.
 col-quantity = grandeur
 measurement-section = La mesure elle-même
 aside-section = Laissés de côté
@@ -1118,7 +1122,7 @@ records-twins = { $test } contient les mêmes échantillons que { $twin } et com
 ## What reading says of records. A force that comes late.
 
 records-late = l’effort vient environ { $delay } ms après le mouvement : pris ainsi, une courbe selon la vitesse laisse { $left } % de sa variance inexpliqués, contre { $recorded } % tel qu’enregistré
-records-late-not-moved = { $late }{ $energy }. L’hystérésis compte ici comme retard : dashpot fit les distingue et ôte le retard. Rien n’a été déplacé ; pour corriger sans fit, donner { $option }
+records-late-not-moved = { $late }{ $energy }. L’hystérésis ressemble ici à un retard, donc rien n’a été déplacé. dashpot fit les distingue et signale le retard qu’il trouve ; le reste est l’hystérésis de l’amortisseur. Ne donner { $option } que si le banc retarde l’effort d’autant, de façon connue
 records-would-feed = { " " }; tel qu’enregistré, l’amortisseur fournirait de l’énergie dans { $count } essais sur { $all }
 
 ## What reading says of records. The direction that the files count positive.
@@ -1510,10 +1514,12 @@ diagnosis-and = { " " }et{ " " }
 diagnosis-times = { $times } fois l’écart que laissent le bruit et la forme des courbes
 diagnosis-name-and-sure = { $effect } (sûr à { $percent }{ $instead })
 diagnosis-instead-of = , à la place de { $effect }
-diagnosis-has-effect = cet amortisseur montre { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe, { $rest }{ $also }
+diagnosis-has-effect = cet amortisseur montre { $names } ; { $residual }, { $rest }{ $also }
+diagnosis-residual-falls = le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe
+diagnosis-residual-stays = le résidu ne baisse pas ({ $before } fois le bruit et l’erreur de courbe avant, { $after } fois après)
 diagnosis-leaves-nothing = ce qui ne laisse rien d’inexpliqué
 diagnosis-leaves-a-part = ce qui laisse une part inexpliquée
-diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe, { $rest }{ $also }
+diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; { $residual }, { $rest }{ $also }
 diagnosis-also-changed = { " " }; également changé : { $changes }
 diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre { $effect } (sûr à { $sure }{ $instead })
 diagnosis-at-some-settings = { $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé
@@ -1575,7 +1581,7 @@ diagnosis-in-all-tests = dans tous les essais qui y passent
 diagnosis-in-test = dans l’essai { $test }
 diagnosis-more-tensile = l’effort mesuré est de { $mean } ± { $error } N plus en traction que l’effort calculé
 diagnosis-more-compressive = l’effort mesuré est de { $mean } ± { $error } N plus en compression que l’effort calculé
-diagnosis-off-both-ways = { $rms } N efficaces d’écart dans les deux sens
+diagnosis-off-both-ways = l’effort mesuré est tantôt supérieur, tantôt inférieur à l’effort calculé
 
 ## What a diagnosis says. Tests that would tell more.
 
@@ -1619,6 +1625,7 @@ diagnosis-beyond-side-force = un effort latéral de { $value } { $unit } au lieu
 ## What a diagnosis says. Why records cannot show an effect.
 
 diagnosis-needs-series = il fait partie du chemin en série : le modèle a d’abord besoin de la souplesse en série (series_compliance)
+diagnosis-series-added = il lui faut series_compliance, que ce diagnostic vient d’ajouter : relancer dashpot diagnose sur le modèle amélioré
 diagnosis-needs-fixed-curve = une courbe FV libre absorbe un terme en v² : il faut que la courbe soit fixée par une spécification
 diagnosis-needs-side-force = l’effort latéral ne varie pas : réaliser le même sinus sous deux efforts latéraux ou plus, en enregistrant la voie
 diagnosis-needs-temperature = aucune voie de température ne varie, et les horloges des mesures ne montrent pas d’échauffement : enregistrer la température de l’huile ou du tube, ou répéter un essai à froid et après une forte sollicitation

@@ -101,7 +101,7 @@ dashpot_messages::phrases! {
     TWINS: "{test} holds the same samples as {twin} and counts twice";
     // Delay of the force.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
-    LATE_NOT_MOVED: "{late}{energy}. Hysteresis counts as delay here: dashpot fit tells them apart and takes the delay out. Nothing was moved; to correct it without a fit give {option}";
+    LATE_NOT_MOVED: "{late}{energy}. Hysteresis looks like a delay here, so nothing was moved. dashpot fit tells them apart and reports the delay that it finds; what remains is hysteresis of the damper. Give {option} only if the rig is known to delay the force by that much";
     WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all} tests";
     // The positive direction of the files.
     STANDSTILL: "force at standstill is {force} N ± {error} N as counted in the files; gas pushes the rod out, so that {verdict}";
