@@ -197,7 +197,7 @@ impl Composed<'_> {
         let or_warm_gas = (effects.contains(&"force_drift") && !self.situation.temperature_measured)
             .then(|| phrases::OR_WARM_GAS.into());
         let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
-        let findings = self.findings(&names, &inventory, &tree, &probability, &ends);
+        let findings = self.findings(&names, &inventory, &tree, &probability, &ends, &judged.suspects);
         let estimates = improved::estimates(&self.best, known.as_deref());
         let too_small = (!immaterial.is_empty()).then(|| {
             let effects = immaterial.iter().map(|c| c.effect);
@@ -443,6 +443,7 @@ impl Composed<'_> {
         tree: &[tree::Branch],
         probability: &dyn Fn(&str) -> f64,
         ends: &[[f64; 2]],
+        suspects: &[Rival],
     ) -> Vec<Finding> {
         let (hypothesis, theta) = (&self.best.hypothesis, &self.best.refit.theta);
         let (whole, before) = (self.best.evidence.mean(), self.start.evidence.mean());
@@ -501,7 +502,13 @@ impl Composed<'_> {
                     negative_log_prior: self.best.evidence.negative_log_prior - other.evidence.negative_log_prior,
                     tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
-                rivals: self.open(probability).rivals(effect),
+                // A suspect may be missing in addition to the named effect, not instead of it.
+                rivals: self
+                    .open(probability)
+                    .rivals(effect)
+                    .into_iter()
+                    .filter(|rival| suspects.iter().all(|suspect| suspect.effect != rival.effect))
+                    .collect(),
             }
         };
         names.iter().map(one).collect()
@@ -533,8 +540,9 @@ impl Composed<'_> {
             errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
         };
         let (before, with, less) = (of(&self.start)?, of(&self.best)?, of(less)?);
-        // Without the effect, the structure may fit worse than the given model. That part was never a gap.
-        (before > 1.02 * noise).then(|| ((less.min(before) - with) / (before - noise)).clamp(-1.0, 1.0))
+        // Without the effect, the structure may fit worse than the given model. That part was never a gap. If the error
+        // with the effect is larger, no gap reopens.
+        (before > 1.02 * noise).then(|| ((less.min(before) - with) / (before - noise)).clamp(0.0, 1.0))
     }
 
     /// Returns the accuracy of the integration that computes the residuals. A comparison with a reference uses the low

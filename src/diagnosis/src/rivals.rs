@@ -69,10 +69,8 @@ impl Open<'_> {
     pub fn rivals(&self, named: &str) -> Vec<Rival> {
         let mut rows: Vec<(&'static str, Row<'_>)> = self.best_rows(Some(named)).into_iter().collect();
         rows.sort_by(|(a, one), (b, other)| other.1.log_posterior.total_cmp(&one.1.log_posterior).then(a.cmp(b)));
-        let start = self.start.evidence.mean();
-        let all = rows.into_iter().map(|(effect, (key, row))| {
-            self.rival(effect, explained(self.without(key, effect).unwrap_or(start), row.mean_square))
-        });
+        let before = self.start.evidence.mean();
+        let all = rows.into_iter().map(|(effect, (_, row))| self.rival(effect, explained(before, row.mean_square)));
         all.filter(is_listed).take(LISTED).collect()
     }
 

@@ -1147,6 +1147,7 @@ records-weak = die Hinweise sind schwach; mit --positive rebound oder --positive
 records-turned-round = In Bewegung und Kraft zugleich umgedreht, passten { $tests } zu den anderen Versuchen, wie gelesen nicht: bei gleichen Geschwindigkeiten ist die Kraft mitten zwischen Zug und Druck in { $test } { $own } N, in den anderen { $usual } N. Prüfen, ob diese Dateien in anderer Richtung zählen, und den Export berichtigen oder sie mit --exclude weglassen
 records-other-settings = { $first } hat bei gleicher Bewegung die { $times }-fache Kraft von { $second }: das sind mehrere Dämpfer oder mehrere Einstellungen eines Dämpfers (Klicks, Strom), und ein Modell kann sie nicht alle wiedergeben. Getrennt identifizieren (Ordner oder --exclude). { $belong }
 records-several-settings = die Versuche wurden bei { $count } Einstellungen ({ $name }) gemessen, und ein Modell enthält nur eine davon: { $settings }. Sie mit dashpot fit --setting { $option } als einen Dämpfer über { $name } anpassen, oder jede für sich, die anderen mit --exclude weggelassen; dashpot diagnose --group vergleicht sie
+records-not-one-damper = { $settings }. Um alle als einen Dämpfer ohne Einstellung anzupassen, --setting { $none } angeben
 records-setting-at = { $value }: { $names }
 records-setting-varies = am Dämpferventil ändert sich { $setting } im ganzen Versuch zwischen { $low } und { $high }
 records-setting-changes = { $change }. dashpot fit --setting { $option } bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)

@@ -1147,6 +1147,7 @@ records-weak = les indices sont faibles ; dire ce qu’il en est avec --positive
 records-turned-round = retournés à la fois en mouvement et en force, { $tests } iraient avec les autres essais, tels que lus non : à vitesses pareilles, la force à mi-chemin entre détente et compression est de { $own } N dans { $test } et de { $usual } N dans les autres. Vérifier si ces fichiers comptent dans un autre sens, et corriger l’export ou les laisser de côté par --exclude
 records-other-settings = { $first } a { $times } fois l’effort de { $second } dans le même mouvement : ce sont plusieurs amortisseurs, ou plusieurs réglages d’un seul (clics, courant), et un modèle ne peut pas les représenter tous. Les identifier séparément (dossiers, ou --exclude). { $belong }
 records-several-settings = les essais ont été mesurés à { $count } réglages ({ $name }), et un modèle n’en contient qu’un : { $settings }. Les ajuster comme un seul amortisseur ({ $name }) avec dashpot fit --setting { $option }, ou chacun à part, les autres écartés avec --exclude ; dashpot diagnose --group les compare
+records-not-one-damper = { $settings }. Pour les ajuster tous comme un seul amortisseur sans réglage, donner --setting { $none }
 records-setting-at = { $value } : { $names }
 records-setting-varies = à la valve de l’amortisseur, { $setting } varie entre { $low } et { $high } pendant tout l’essai
 records-setting-changes = { $change }. dashpot fit --setting { $option } en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)

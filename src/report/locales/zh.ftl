@@ -1135,6 +1135,7 @@ records-weak = 依据不足；请用 --positive rebound 或 --positive compressi
 records-turned-round = 若将运动与力同时反号，{ $tests } 便与其他试验相符，按原样读取则不符：在相同速度下，复原与压缩之间的中间力在 { $test } 中为 { $own } N，在其他试验中为 { $usual } N。请检查这些文件的正方向是否不同，并更正导出或用 --exclude 排除
 records-other-settings = 相同运动下 { $first } 的力是 { $second } 的 { $times } 倍：这是多个减振器，或同一减振器的多种设置（档位、电流），一个模型无法同时表示。请分开拟合（分文件夹，或用 --exclude）。{ $belong }
 records-several-settings = 试验在 { $count } 种设置（{ $name }）下测量，而一个模型只能表示其中一种：{ $settings }。请用 dashpot fit --setting { $option } 将其作为随{ $name }变化的同一减振器拟合，或分别拟合每种设置并用 --exclude 排除其他设置；dashpot diagnose --group 可进行比较
+records-not-one-damper = { $settings }。若要将其全部作为一个无设定的减振器拟合，请给出 --setting { $none }
 records-setting-at = { $value }：{ $names }
 records-setting-varies = 试验全程减振器阀的{ $setting }在 { $low } 与 { $high } 之间变化
 records-setting-changes = { $change }。dashpot fit --setting { $option } 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）

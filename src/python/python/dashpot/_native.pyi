@@ -143,6 +143,7 @@ def fit(
     hold_out: Sequence[str] = ...,
     progress: _Progress = None,
     dimensions: str | None = None,
+    lumped: bool = False,
 ) -> tuple[str, str, Fitted]: ...
 def fit_family(
     campaign: Campaign,

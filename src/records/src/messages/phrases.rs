@@ -124,6 +124,7 @@ dashpot_messages::phrases! {
     TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
     OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}";
     SEVERAL_SETTINGS: "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit them as one damper over {name} with dashpot fit --setting {option}, or each by itself, the others left out with --exclude; dashpot diagnose --group compares them";
+    NOT_ONE_DAMPER: "{settings}. To fit all of them as one damper without a setting, give --setting {none}";
     SETTING_AT: "{value}: {names}";
     SETTING_VARIES: "the {setting} of the damper's valve changes between {low} and {high} all through the test";
     SETTING_CHANGES: "{change}. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
