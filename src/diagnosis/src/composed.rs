@@ -11,7 +11,7 @@ use super::outcome::*;
 use super::prepared::Against;
 use super::rivals::{LISTED, Open, explained};
 use super::wording::{percent, physical};
-use super::{improved, next_test, phrases, regions, tree, untestable};
+use super::{improved, phrases, proposed_test, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
@@ -621,10 +621,10 @@ impl Composed<'_> {
         {
             return Vec::new();
         }
-        let mut rivals: Vec<next_test::Rival> = Vec::new();
+        let mut rivals: Vec<proposed_test::Rival> = Vec::new();
         if let Some(first) = names.first() {
             let structure = &self.search.best;
-            rivals.push(next_test::Rival {
+            rivals.push(proposed_test::Rival {
                 effect: first.effect,
                 hypothesis: &structure.hypothesis,
                 theta: &structure.refit.theta,
@@ -634,7 +634,7 @@ impl Composed<'_> {
         for trial in self.search.rivals.iter().chain(&self.search.last) {
             let effect = trial.form.0;
             if rivals.len() < UNDECIDED && trial.unnamed.is_none() && rivals.iter().all(|r| r.effect != effect) {
-                rivals.push(next_test::Rival {
+                rivals.push(proposed_test::Rival {
                     effect,
                     hypothesis: &trial.structure.hypothesis,
                     theta: &trial.structure.refit.theta,
@@ -642,7 +642,7 @@ impl Composed<'_> {
                 });
             }
         }
-        next_test::propose(&rivals, &next_test::Rig::from_tests(&self.fitted), &self.advice())
+        proposed_test::propose(&rivals, &proposed_test::Rig::from_tests(&self.fitted), &self.advice())
     }
 
     fn advice(&self) -> Advice {

@@ -34,7 +34,7 @@ dashpot_messages::phrases! {
     ZERO_MOVES: "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
     // Measurement errors.
     FOUND_EARLY: "the force channel comes early by {value} ms (95 %: {low} to {high})";
-    FOUND_DELAY: "the force channel comes late by {value} ms (95 %: {low} to {high})";
+    FOUND_DELAY: "the force channel lags the motion by {value} ms (95 %: {low} to {high})";
     FOUND_MASS: "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})";
     FOUND_GAIN_DRIFT: "the gain of the force channel drifts by {value} % a minute (95 %: {low} to {high})";
     FOUND_DRIFT: "the zero of the force channel drifts by {value} N a minute (95 %: {low} to {high})";

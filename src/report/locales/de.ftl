@@ -1412,7 +1412,7 @@ identification-zero-moves = das Modell lässt von jedem Versuch eine andere glei
 ## What a fit says. What the measurement is off by.
 
 identification-found-early = der Kraftkanal kommt { $value } ms zu früh (95 %: { $low } bis { $high })
-identification-found-delay = der Kraftkanal kommt { $value } ms zu spät (95 %: { $low } bis { $high })
+identification-found-delay = der Kraftkanal ist gegenüber der Bewegung um { $value } ms verzögert (95 %: { $low } bis { $high })
 identification-found-mass = die Kraftmessdose bewegt eine eigene Masse von { $value } kg (95 %: { $low } bis { $high })
 identification-found-gain-drift = die Verstärkung des Kraftkanals wandert um { $value } % je Minute (95 %: { $low } bis { $high })
 identification-found-drift = der Nullpunkt des Kraftkanals wandert um { $value } N je Minute (95 %: { $low } bis { $high })

@@ -1412,7 +1412,7 @@ identification-zero-moves = le modèle laisse de chaque essai un autre effort co
 ## What a fit says. What the measurement is off by.
 
 identification-found-early = la voie d’effort est en avance de { $value } ms (95 % : { $low } à { $high })
-identification-found-delay = la voie d’effort est en retard de { $value } ms (95 % : { $low } à { $high })
+identification-found-delay = la voie d’effort est en retard de { $value } ms sur le mouvement (95 % : { $low } à { $high })
 identification-found-mass = le capteur d’effort entraîne une masse propre de { $value } kg (95 % : { $low } à { $high })
 identification-found-gain-drift = le gain de la voie d’effort dérive de { $value } % par minute (95 % : { $low } à { $high })
 identification-found-drift = le zéro de la voie d’effort dérive de { $value } N par minute (95 % : { $low } à { $high })

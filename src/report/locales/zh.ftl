@@ -1400,7 +1400,7 @@ identification-zero-moves = 模型在各试验中剩下各不相同的恒定力�
 ## What a fit says. What the measurement is off by.
 
 identification-found-early = 力通道超前 { $value } ms（95 %：{ $low } 至 { $high }）
-identification-found-delay = 力通道滞后 { $value } ms（95 %：{ $low } 至 { $high }）
+identification-found-delay = 力通道比运动滞后 { $value } ms（95 %：{ $low } 至 { $high }）
 identification-found-mass = 力传感器带动自身的质量 { $value } kg（95 %：{ $low } 至 { $high }）
 identification-found-gain-drift = 力通道的增益每分钟漂移 { $value } %（95 %：{ $low } 至 { $high }）
 identification-found-drift = 力通道的零点每分钟漂移 { $value } N（95 %：{ $low } 至 { $high }）

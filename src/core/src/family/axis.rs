@@ -2,7 +2,7 @@
 //! the actuator.
 
 use super::actuator::Actuator;
-use super::interpolation::{MAX_GRID, Place, limit};
+use super::interpolation::{GridPosition, MAX_GRID, limit};
 use crate::curve::MAX_POINTS;
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::math::max;
@@ -413,7 +413,7 @@ impl Axis {
         if grid.len() < 2 {
             return;
         }
-        let place = Place::new(&self.grid, grid.len(), setting);
+        let place = GridPosition::new(&self.grid, grid.len(), setting);
         for varying in self.numbers() {
             let Some(row) = table().nth(varying.row as usize) else { continue };
             let Ok(number) = Number::try_from(row) else { continue };
