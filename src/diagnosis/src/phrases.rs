@@ -49,7 +49,7 @@ dashpot_messages::phrases! {
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
     UNCHANGED: "nothing has changed that these records can show ({percent} sure): the reference's model is off by {times}{not_seen}{not_confirmed}";
-    WARMER: "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin and oil damps less when warm, so part of what differs may be the temperature, a drift of the force zero above all; compare campaigns of like temperature";
+    WARMER: "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin, and oil damps less when warm. A part of the differences may be the temperature, above all a drift of the force zero; compare campaigns of like temperature";
     WARMER_SENSE: "warmer";
     COLDER_SENSE: "colder";
     CHANGED: "{numbers}{more}";
