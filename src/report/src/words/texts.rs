@@ -173,6 +173,8 @@ dashpot_messages::interface! {
         family_loops_about(amplitude velocity),
         family_worst_about,
         family_worst_caption(setting test error percent),
+        plot_surface,
+        surface_caption,
         plot_over_setting,
         over_setting_caption,
         plot_ratio,
