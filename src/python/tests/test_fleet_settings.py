@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 import shutil
 from dataclasses import replace
@@ -12,6 +13,8 @@ import numpy as np
 import pytest
 
 import dashpot
+from dashpot._native import SettingsFigures
+from dashpot.limits import rows as rows_of
 
 pq = pytest.importorskip("pyarrow.parquet")
 distributed = pytest.importorskip("distributed")
@@ -168,7 +171,7 @@ def test_a_reference_is_compared_at_each_setting(fleet: Path, place: Place, tmp_
     assert changed[1].startswith("changed: ") and " at 1.6 A" in changed[1] and changed[3] == "not diagnosed"
 
 
-def test_without_the_option_several_settings_are_told_with_it(fleet: Path, tmp_path: Path) -> None:
+def test_without_the_option_several_settings_are_told_with_it(fleet: Path, place: Place, tmp_path: Path) -> None:
     from dashpot.fleet.__main__ import main
 
     row = examine(Job(str(fleet / "d0")), "k", Plan(family="fv"))
@@ -188,3 +191,36 @@ def test_without_the_option_several_settings_are_told_with_it(fleet: Path, tmp_p
     limits.write_text("quantity,velocity_m_s,low,high\nforce,0.5,0,10\n")
     assert main([*common, "--setting", "current", "--limits", str(limits)]) == 2
     assert not (tmp_path / "o.parquet").exists()
+    assert main([*common, "--setting", "current", "--elements", ",".join(ELEMENTS), "--scheduler", str(place.address)]) == 0
+    assert [r["status"] for r in rows(tmp_path / "o.parquet")] == ["ok"] * 4
+
+
+def test_stored_figures_judge_response_times_as_the_validation_does(tmp_path: Path) -> None:
+    family = dashpot.Family.read(FILE)
+    measure(tmp_path / "d", [0.0, 1.6], seed=5)
+    t = np.arange(0.0, 8.0, 1e-3)
+    x = 0.02 * np.sin(2.0 * np.pi * 0.8 * t)
+    current = np.where((t / 0.5).astype(int) % 2 == 0, 0.0, 1.6)
+    force = family.simulate(t, x, setting=current).force + np.random.default_rng(6).normal(0.0, 3.0, len(t))
+    table = np.column_stack((t, x, force, current))
+    np.savetxt(tmp_path / "d" / "steps.csv", table, "%.9g", ",", header="time_s,displacement_m,force_N,current [A]", comments="")
+    limits = (
+        Limit("response_time_up", None, 0, 0.001),
+        Limit("response_time_down", None, 0, 0.2, setting=0.0),
+        Limit("rise_time_up", None, 0, 0.2, setting=0.8),
+        Limit("force", 0.12, 0, 1e4, setting=1.6),
+    )
+    campaign = dashpot.Campaign.read(tmp_path / "d")
+    fitted = dashpot.fit(campaign, setting="current", elements=ELEMENTS)
+    validation = fitted.validate(campaign, limits=limits)
+    assert validation.campaign is not None
+    text = fitted._native.measure(validation.campaign._native).text
+    found = json.loads(SettingsFigures.parse(text).judge(rows_of(limits)))
+    expected = validation.limits.to_dict()["limits"]
+    for one, other in zip(found["limits"], expected, strict=True):
+        assert one["verdict"] == other["verdict"]
+        assert one["measured"] is other["measured"] is None or other["measured"].items() <= one["measured"].items()
+    assert [one["verdict"] for one in expected] == ["fail", "pass", "not_tested", "pass"]
+    row = examine(Job(str(tmp_path / "d")), "k", replace(PLAN, limits=limits))
+    assert row["judgement"] == "failed" and [one["setting"] for one in row["settings"]] == [0.0, 1.6], row["reason"]
+    assert row["missed"][1] == "rise_time_up at setting 0.8 A: not tested, there is no such step of the setting"

@@ -141,7 +141,7 @@ def fitted(campaign: Campaign, plan: Plan) -> FittedModel | FittedFamily:
     try:
         if plan.setting == NO_SETTING:
             # A plan without a setting makes the same fit where the tests have one setting or none.
-            return fit(campaign, setting=NO_SETTING, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)  # type: ignore[return-value]
+            return fit(campaign, setting=NO_SETTING, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
         return fit(campaign, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
     except _native.FitError as error:
         raise named_option(campaign, error) from None

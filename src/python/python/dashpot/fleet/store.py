@@ -226,8 +226,8 @@ class Store:
         at_settings = {value: over.label(value) for value in over.values()}
         for value, shown in at_settings.items():
             said = {"setting": repr(value), "setting_name": shown}
-            for name, unit in (("error_percent", "%"), *((force_column(v), "N") for v in VELOCITIES)):
-                fields.append(pa.field(column(name, shown), pa.float64(), metadata={**said, "quantity": name, "unit": unit}))
+            for name, own_unit in (("error_percent", "%"), *((force_column(v), "N") for v in VELOCITIES)):
+                fields.append(pa.field(column(name, shown), pa.float64(), metadata={**said, "quantity": name, "unit": own_unit}))
             for name in sorted(over.varying):
                 own, metadata = column(name, shown), {**said, "quantity": name, "unit": units[name]}
                 fields.extend(pa.field(n, pa.float64(), metadata=metadata) for n in (own, f"{own}_low", f"{own}_high"))
@@ -244,7 +244,7 @@ class Store:
                 if finish is not None:
                     row.update(finish(at, row))
                 # A damper has values only at its own settings. At all others it was not measured.
-                own = {one["setting"]: at_settings.get(_place(one["setting"], row, over, at_settings)) for one in row["settings"] or ()}
+                own = {one["setting"]: _shown(one["setting"], row, over, at_settings) for one in row["settings"] or ()}
                 for one in row["settings"] or ():
                     shown = own[one["setting"]]
                     if shown is not None:
@@ -267,10 +267,11 @@ class Store:
         self._lock.close()
 
 
-def _place(setting: float, row: Mapping[str, Any], over: FleetSettings, at_settings: Mapping[float, str]) -> float | None:
-    """Returns the setting of the fleet at which a damper was measured, or None if its unit belongs to another quantity."""
+def _shown(setting: float, row: Mapping[str, Any], over: FleetSettings, at_settings: Mapping[float, str]) -> str | None:
+    """Returns the text of the fleet's setting at which a damper was measured, or None if its unit belongs to another quantity."""
     value = over.own(row, setting)
-    return None if value is None else place_of(list(at_settings), value)
+    place = None if value is None else place_of(list(at_settings), value)
+    return None if place is None else at_settings[place]
 
 
 def _table(rows: Sequence[Mapping[str, Any]], schema: pa.Schema) -> pa.Table:
