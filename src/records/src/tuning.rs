@@ -626,7 +626,7 @@ pub(crate) mod options {
     pub(crate) const LARGEST_SETTING: f64 = 1e9;
 
     /// Largest mass on a load cell that the options accept, kg. A heavy truck damper with its clamps has a smaller
-    /// mass. A larger number is likely in grams. A negative mass reverses an excessive compensation by the rig.
+    /// mass. A larger number is likely in grams.
     ///
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const LARGEST_MASS: f64 = 100.0;
