@@ -1320,14 +1320,12 @@ records-behind = hinter
 records-ahead = vor
 records-other-motion = das Integral der Geschwindigkeit erklärt nur { $percent } % des Wegs; sie gehören nicht zu einer Bewegung. Prüfen, ob die richtigen Spalten gelesen werden (--column velocity="heading"), { $advice }
 records-opposite-signs = sie haben entgegengesetzte Vorzeichen (die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs). Eines davon im Export umdrehen, { $advice }
-records-unit-slip = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs: eine falsche Einheit, { $slip }. Die Einheit angeben (--unit velocity=mm/s, --unit displacement=mm), { $advice }
+records-unit-slip = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs: eine falsche Einheit. Am wahrscheinlichsten { $likely }{ $others }
+records-unit-candidate = hat der Kanal { $channel } die Einheit { $likely }, gelesen wurde { $read }; das ergibt einen Versuch von { $amplitude } mm bei { $frequency } Hz und { $velocity } mm/s: { $option } angeben
+records-otherwise = . Andernfalls { $others }
+records-or-else = {"; oder "}
 records-other-scale = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs. Einheiten und Kalibrierung beider prüfen, die Einheit der Zeit, und ob die Abtastung für die Bewegung schnell genug ist, { $advice }
 records-read-one-only = oder nur eines davon lesen: --ignore velocity (oder --ignore displacement)
-records-mm-not-m = Weg oder Geschwindigkeit ist in mm, wo die Kopfzeile m sagt
-records-cm-not-m = Weg oder Geschwindigkeit ist in cm, wo die Kopfzeile m sagt
-records-mm-not-cm = Weg oder Geschwindigkeit ist in mm, wo die Kopfzeile cm sagt
-records-inch-not-mm = eines davon ist in Zoll, wo die Kopfzeile mm sagt, oder umgekehrt
-records-inch-not-m = eines davon ist in Zoll, wo die Kopfzeile m sagt, oder umgekehrt
 
 ## What reading says of records. Channels.
 

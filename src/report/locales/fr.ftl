@@ -1320,14 +1320,12 @@ records-behind = après
 records-ahead = avant
 records-other-motion = l’intégrale de la vitesse n’explique que { $percent } % du déplacement ; ils n’appartiennent pas au même mouvement. Vérifier que les bonnes colonnes sont lues (--column velocity="heading"), { $advice }
 records-opposite-signs = ils ont des signes opposés (la vitesse vaut { $gain } fois la dérivée du déplacement). Inverser l’un d’eux dans l’export, { $advice }
-records-unit-slip = la vitesse vaut { $gain } fois la dérivée du déplacement : une erreur d’unité, { $slip }. Donner l’unité (--unit velocity=mm/s, --unit displacement=mm), { $advice }
+records-unit-slip = la vitesse vaut { $gain } fois la dérivée du déplacement : une erreur d’unité. Le plus probable : { $likely }{ $others }
+records-unit-candidate = l’unité de la voie { $channel } est { $likely } là où { $read } a été lu, pour un essai de { $amplitude } mm à { $frequency } Hz et { $velocity } mm/s : donner { $option }
+records-otherwise = . Sinon, { $others }
+records-or-else = {" ; ou "}
 records-other-scale = la vitesse vaut { $gain } fois la dérivée du déplacement. Vérifier les unités et l’étalonnage des deux, l’unité de temps, et si l’échantillonnage est assez rapide pour le mouvement, { $advice }
 records-read-one-only = ou n’en lire qu’un : --ignore velocity (ou --ignore displacement)
-records-mm-not-m = le déplacement ou la vitesse est en mm là où l’en-tête dit m
-records-cm-not-m = le déplacement ou la vitesse est en cm là où l’en-tête dit m
-records-mm-not-cm = le déplacement ou la vitesse est en mm là où l’en-tête dit cm
-records-inch-not-mm = l’un des deux est en pouces là où l’en-tête dit mm, ou l’inverse
-records-inch-not-m = l’un des deux est en pouces là où l’en-tête dit m, ou l’inverse
 
 ## What reading says of records. Channels.
 

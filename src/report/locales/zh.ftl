@@ -1308,14 +1308,12 @@ records-behind = 滞后于
 records-ahead = 超前于
 records-other-motion = 速度的积分只能解释 { $percent } % 的位移；它们不属于同一运动。请检查读取的列是否正确（--column velocity="heading"），{ $advice }
 records-opposite-signs = 二者符号相反（速度为位移导数的 { $gain } 倍）。请在导出时反转其中之一，{ $advice }
-records-unit-slip = 速度为位移导数的 { $gain } 倍：单位有误，{ $slip }。请给出单位（--unit velocity=mm/s，--unit displacement=mm），{ $advice }
+records-unit-slip = 速度为位移导数的 { $gain } 倍，单位有误。最可能的是{ $likely }{ $others }
+records-unit-candidate = { $channel }通道的单位为 { $likely }，而读取为 { $read }，由此试验为 { $frequency } Hz、{ $amplitude } mm、{ $velocity } mm/s：请给出 { $option }
+records-otherwise = 。否则{ $others }
+records-or-else = {"；或"}
 records-other-scale = 速度为位移导数的 { $gain } 倍。请检查二者的单位和标定、时间单位，以及采样对该运动是否足够快，{ $advice }
 records-read-one-only = 或只读取其中之一：--ignore velocity（或 --ignore displacement）
-records-mm-not-m = 位移或速度的单位是 mm，而表头写的是 m
-records-cm-not-m = 位移或速度的单位是 cm，而表头写的是 m
-records-mm-not-cm = 位移或速度的单位是 mm，而表头写的是 cm
-records-inch-not-mm = 其中之一以英寸为单位，而表头写的是 mm，或相反
-records-inch-not-m = 其中之一以英寸为单位，而表头写的是 m，或相反
 
 ## What reading says of records. Channels.
 

@@ -164,7 +164,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                     );
                     return Ok(differentiated(samples, displacement));
                 }
-                if let Some(cause) = consistency::contradiction(&agreement) {
+                if let Some(cause) = consistency::contradiction(&agreement, &samples.units) {
                     return Err(RecordError::Contradiction { at: samples.at.clone(), cause });
                 }
                 samples.note(

@@ -273,14 +273,12 @@ dashpot_messages::phrases! {
     AHEAD: "ahead of";
     OTHER_MOTION: "the integral of the velocity explains only {percent} % of the displacement; they do not belong to one motion. Check that the right columns are read (--column velocity=\"heading\"), {advice}";
     OPPOSITE_SIGNS: "they have opposite signs (velocity is {gain} times the derivative of displacement). Turn one of them in the export, {advice}";
-    UNIT_SLIP: "velocity is {gain} times the derivative of displacement: a unit slip, {slip}. Give the unit (--unit velocity=mm/s, --unit displacement=mm), {advice}";
+    UNIT_SLIP: "velocity is {gain} times the derivative of displacement, a unit slip. Most likely {likely}{others}";
+    UNIT_CANDIDATE: "the unit of {channel} is {likely} where {read} was read, for a test of {amplitude} mm at {frequency} Hz and {velocity} mm/s: give {option}";
+    OTHERWISE: ". Otherwise {others}";
+    OR_ELSE: "; or ";
     OTHER_SCALE: "velocity is {gain} times the derivative of displacement. Check the units and calibration of both, the unit of time, and whether the sampling is fast enough for the motion, {advice}";
     READ_ONE_ONLY: "or read one of them only: --ignore velocity (or --ignore displacement)";
-    MM_NOT_M: "displacement or velocity is in mm where the header says m";
-    CM_NOT_M: "displacement or velocity is in cm where the header says m";
-    MM_NOT_CM: "displacement or velocity is in mm where the header says cm";
-    INCH_NOT_MM: "one of them is in inches where the header says mm, or the reverse";
-    INCH_NOT_M: "one of them is in inches where the header says m, or the reverse";
     // Channels.
     CHANNEL_TIME: "time";
     CHANNEL_DISPLACEMENT: "displacement";
