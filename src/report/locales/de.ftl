@@ -1264,9 +1264,9 @@ records-exchanged = Weg und Kraft sehen in { $count } von { $all } Versuchen ver
 records-exchanged-feed = { $exchanged }; so gelesen gäbe der Dämpfer Energie in den Prüfstand ab. Geben Sie --column displacement="Überschrift" und --column force="Überschrift" umgekehrt an, und --unit, wo die Einheiten mitgehen. Betrifft es nur einige Dateien, legen Sie diese in einen eigenen Ordner, sagen Sie es dort mit dashpot import-profile, und nennen Sie beide Ordner
 records-exchanged-doubt = { $exchanged }. Wenn das so ist, stimmt nichts von dem, was folgt: Geben Sie --column displacement="Überschrift" und --column force="Überschrift" umgekehrt an, und lassen Sie --flip weg
 records-or-late = . Oder { $late }; dann { $option } angeben
-records-flip-motion = die Kraft im Stillstand ist eine Druckkraft und negativ gezählt, wie beim Gas, wenn Zugkraft positiv zählt; also zählen Weg und Geschwindigkeit in Druckrichtung positiv. --flip motion angeben (oder den Export berichtigen)
-records-flip-force = die Kraft im Stillstand ist eine Druckkraft und positiv gezählt, wie beim Gas, wenn Druckkraft positiv zählt; also zählen Weg und Geschwindigkeit in Zugrichtung positiv. --flip force angeben (oder den Export berichtigen)
-records-flip-either = die Kraft im Stillstand ist zu klein, um zu sagen, welche. Sind Druckkräfte positiv gezählt, --flip force angeben, sind es Druckbewegungen, --flip motion (oder den Export berichtigen)
+records-flip-motion = { $standstill }; dann zählen Weg und Geschwindigkeit in Druckrichtung positiv. --flip motion angeben (oder den Export berichtigen)
+records-flip-force = { $standstill }; dann zählen Weg und Geschwindigkeit in Zugrichtung positiv. --flip force angeben (oder den Export berichtigen)
+records-flip-either = { $standstill }. Sind Druckkräfte positiv gezählt, --flip force angeben, sind es Druckbewegungen, --flip motion (oder den Export berichtigen)
 
 ## What reading says of records. A motion to be imposed.
 

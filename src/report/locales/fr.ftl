@@ -1264,9 +1264,9 @@ records-exchanged = déplacement et force semblent échangés dans { $count } es
 records-exchanged-feed = { $exchanged } ; lu ainsi, l’amortisseur fournirait de l’énergie au banc. Donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et --unit là où les unités suivent. Si seuls quelques fichiers sont concernés, placez-les dans un dossier à part, dites-le là avec dashpot import-profile, et nommez les deux dossiers
 records-exchanged-doubt = { $exchanged }. Si c’est le cas, rien de ce qui suit n’est juste : donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et retirez --flip
 records-or-late = . Ou bien { $late } ; donner alors { $option }
-records-flip-motion = l’effort à l’arrêt est une poussée comptée négative, comme en donne le gaz quand la traction est positive ; déplacement et vitesse sont donc positifs en compression. Donner --flip motion (ou corriger l’export)
-records-flip-force = l’effort à l’arrêt est une poussée comptée positive, comme en donne le gaz quand la compression est positive ; déplacement et vitesse sont donc positifs en détente. Donner --flip force (ou corriger l’export)
-records-flip-either = l’effort à l’arrêt est trop petit pour dire lequel des deux. Donner --flip force si les efforts de compression sont positifs, --flip motion si ce sont les mouvements (ou corriger l’export)
+records-flip-motion = { $standstill } ; déplacement et vitesse sont alors positifs en compression. Donner --flip motion (ou corriger l’export)
+records-flip-force = { $standstill } ; déplacement et vitesse sont alors positifs en détente. Donner --flip force (ou corriger l’export)
+records-flip-either = { $standstill }. Donner --flip force si les efforts de compression sont positifs, --flip motion si ce sont les mouvements (ou corriger l’export)
 
 ## What reading says of records. A motion to be imposed.
 

@@ -1252,9 +1252,9 @@ records-exchanged = { $all } 个试验中有 { $count } 个的位移与力看来
 records-exchanged-feed = { $exchanged }；这样读取时减振器会向试验台输出能量。请把 --column displacement="列标题" 与 --column force="列标题" 对调给出，单位也随之互换时再给出 --unit。若只有部分文件如此，请把它们放入单独的文件夹，在那里用 dashpot import-profile 注明，并同时给出两个文件夹
 records-exchanged-doubt = { $exchanged }。若确实如此，以下内容均不成立：请把 --column displacement="列标题" 与 --column force="列标题" 对调给出，并去掉 --flip
 records-or-late = 。也可能是{ $late }；此时请给出 { $option }
-records-flip-motion = 静止时的力为推力且记为负，即以拉为正时气体所产生的力；因此位移和速度以压缩为正。请给出 --flip motion（或更正导出）
-records-flip-force = 静止时的力为推力且记为正，即以压为正时气体所产生的力；因此位移和速度以复原为正。请给出 --flip force（或更正导出）
-records-flip-either = 静止时的力太小，无法判断是哪一个。若压缩力记为正请给出 --flip force，若压缩运动记为正请给出 --flip motion（或更正导出）
+records-flip-motion = { $standstill }；因此位移和速度以压缩为正。请给出 --flip motion（或更正导出）
+records-flip-force = { $standstill }；因此位移和速度以复原为正。请给出 --flip force（或更正导出）
+records-flip-either = { $standstill }。若压缩力记为正请给出 --flip force，若压缩运动记为正请给出 --flip motion（或更正导出）
 
 ## What reading says of records. A motion to be imposed.
 

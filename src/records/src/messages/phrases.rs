@@ -229,9 +229,9 @@ dashpot_messages::phrases! {
     EXCHANGED_FEED: "{exchanged}; read so, the damper would feed energy into the rig. Give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and --unit where the units go with them. Where only some files have it, put these into a folder of their own, say so there with dashpot import-profile, and name both folders";
     EXCHANGED_DOUBT: "{exchanged}. If so, nothing of what follows is right: give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and leave --flip out";
     OR_LATE: ". Or {late}; then give {option}";
-    FLIP_MOTION: "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)";
-    FLIP_FORCE: "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)";
-    FLIP_EITHER: "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)";
+    FLIP_MOTION: "{standstill}; then displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)";
+    FLIP_FORCE: "{standstill}; then displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)";
+    FLIP_EITHER: "{standstill}. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)";
     // Faults of an imposed motion.
     MOTION_GAP: "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off";
     MOTION_BEYOND: "{at}, line {line}: {channel} is {value}, and a motion stays within ±{limit}; check the unit of the column, which --unit states";
