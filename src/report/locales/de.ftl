@@ -1077,7 +1077,10 @@ records-spikes = Störspitzen des Kanals { $channel } durch Geraden ersetzt, die
 
 ## What reading says of records. Motion.
 
-records-consistent = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs und eilt ihr um { $lag } ms nach ({ $percent } % der Varianz des Wegs bleiben unerklärt)
+records-consistent = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs und { $lag } ({ $percent } % der Varianz des Wegs bleiben unerklärt)
+records-no-lag = hat keinen Versatz
+records-lags = eilt ihr um { $lag } ms nach
+records-leads = eilt ihr um { $lag } ms voraus
 records-differentiated = Geschwindigkeit durch Ableiten des Wegs, mit gleitenden kubischen Polynomen über { $points } Messwerte ({ $window } s), ohne Phasenverschiebung, −3 dB bei { $frequency } Hz{ $shorter }
 records-shorter = ; über weniger, wo die Bewegung darin umkehrt, { $percent } % der Messwerte
 records-integrated = Weg durch Integration der Geschwindigkeit, Beginn bei { $start } mm; Nullpunktfehler der Geschwindigkeit von { $offset } mm/s entfernt, das sind { $drift } mm Drift über die Messung ({ $basis })

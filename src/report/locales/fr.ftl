@@ -1077,7 +1077,10 @@ records-spikes = pics de la voie { $channel } remplacés par des droites, le pre
 
 ## What reading says of records. Motion.
 
-records-consistent = la vitesse vaut { $gain } fois la dérivée du déplacement et la suit de { $lag } ms ({ $percent } % de la variance du déplacement inexpliqués)
+records-consistent = la vitesse vaut { $gain } fois la dérivée du déplacement et { $lag } ({ $percent } % de la variance du déplacement inexpliqués)
+records-no-lag = n’a pas de retard
+records-lags = la suit de { $lag } ms
+records-leads = la devance de { $lag } ms
 records-differentiated = vitesse dérivée du déplacement par cubiques locales sur { $points } échantillons ({ $window } s), sans déphasage, −3 dB à { $frequency } Hz{ $shorter }
 records-shorter = { " " }; sur moins là où le mouvement tourne dedans, { $percent } % des échantillons
 records-integrated = déplacement intégré de la vitesse, à partir de { $start } mm ; décalage de vitesse de { $offset } mm/s retiré, soit une dérive de { $drift } mm sur la mesure ({ $basis })

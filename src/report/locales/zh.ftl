@@ -1065,7 +1065,10 @@ records-spikes = { $channel }通道 { $spikes } 个尖峰共 { $count } 个采�
 
 ## What reading says of records. Motion.
 
-records-consistent = 速度为位移导数的 { $gain } 倍，滞后 { $lag } ms（位移方差有 { $percent } % 未被解释）
+records-consistent = 速度为位移导数的 { $gain } 倍，{ $lag }（位移方差有 { $percent } % 未被解释）
+records-no-lag = 无滞后
+records-lags = 滞后 { $lag } ms
+records-leads = 超前 { $lag } ms
 records-differentiated = 速度由位移经局部三次多项式求导得到，窗口 { $points } 个采样（{ $window } s），零相位，−3 dB 在 { $frequency } Hz{ $shorter }
 records-shorter = ；运动在窗口内转折处窗口更短，占采样的 { $percent } %
 records-integrated = 位移由速度积分得到，起点 { $start } mm；已去除速度零偏 { $offset } mm/s，相当于整个记录漂移 { $drift } mm（{ $basis }）

@@ -170,9 +170,9 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                 samples.note(
                     "consistency",
                     Sentence::from(phrases::CONSISTENT)
-                        .with("gain", format!("{:.4}", agreement.gain))
-                        .with("lag", format!("{:.2}", 1e3 * agreement.lag))
-                        .with("percent", format!("{:.3}", 100.0 * (1.0 - agreement.explained).max(0.0))),
+                        .with("gain", format_decimals(agreement.gain, 4))
+                        .with_sentence("lag", describe_lag(agreement.lag))
+                        .with("percent", format_decimals(100.0 * (1.0 - agreement.explained).max(0.0), 3)),
                 );
             }
             Ok(CompleteMotion { displacement, velocity, cycles, velocity_window_s: 0.0 })
@@ -189,6 +189,16 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
 fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMotion {
     let cycles = cycles::find(&samples.time, &displacement);
     let window = match cycles.len() {
+/// Formats the lag of the velocity behind the derivative of the displacement, s. A lag that rounds to zero has no sign.
+fn describe_lag(lag: f64) -> Sentence {
+    let shown = format_decimals(1e3 * lag.abs(), 2);
+    match lag {
+        _ if shown == "0.00" => phrases::NO_LAG.into(),
+        lag if lag > 0.0 => Sentence::from(phrases::LAGS).with("lag", shown),
+        _ => Sentence::from(phrases::LEADS).with("lag", shown),
+    }
+}
+
         0 => WINDOW_NO_CYCLE,
         n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
     };
@@ -398,6 +408,39 @@ mod tests {
         let test = SineTest::default();
         let samples = test.samples();
         let mut cut = samples.clone();
+    #[test]
+    fn a_lag_that_rounds_to_zero_has_no_sign() {
+        let said = [-4e-6, 0.0, 4e-6, 2e-5, -2e-5].map(|lag| describe_lag(lag).to_string());
+        let none = "has no lag";
+        assert_eq!(said, [none, none, none, "lags it by 0.02 ms", "leads it by 0.02 ms"]);
+    }
+
+    #[test]
+    fn spikes_of_an_unused_velocity_are_not_reported_and_others_are_in_the_unit_of_the_file() {
+        let mut samples = SineTest::default().samples();
+        samples.units = vec![(Channel::Force, Unit::Kilonewton), (Channel::Velocity, Unit::MillimetrePerSecond)];
+        let spike = |values: &mut Vec<f64>, height: f64| values[555] += height;
+        spike(&mut samples.force, 900.0);
+        samples.velocity.iter_mut().for_each(|v| spike(v, 0.5));
+        let spikes = |samples: Samples| -> Vec<String> {
+            let record = clean(samples, &Options::default()).unwrap();
+            let notes = record.notes.iter().filter(|note| note.kind == "outlier");
+            notes.map(|note| note.text.to_string()).collect()
+        };
+        let said = spikes(samples.clone());
+        assert!(said.len() == 2 && said[0].contains("force") && said[1].contains("velocity"), "{said:?}");
+        for (text, wanted, unit) in [(&said[0], 0.9, "kN"), (&said[1], 500.0, "mm/s")] {
+            let largest = text.split("largest ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+            assert!((largest.parse::<f64>().unwrap() / wanted - 1.0).abs() < 0.05, "{text}");
+            assert!(text.contains(&format!("{largest} {unit} off")), "{text}");
+        }
+        // A velocity with the lag of a filter is not used.
+        let mut late = samples;
+        late.velocity.iter_mut().for_each(|v| *v = (0..v.len()).map(|k| v[k.saturating_sub(8)]).collect());
+        let said = spikes(late);
+        assert!(said.len() == 1 && said[0].contains("force"), "{said:?}");
+    }
+
         cut.select(&(0..((test.steady_from() + 3.7) * 200.0) as usize).collect::<Vec<_>>());
         let record = clean(cut, &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 3);

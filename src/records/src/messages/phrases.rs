@@ -68,7 +68,10 @@ dashpot_messages::phrases! {
     SPIKY: "{channel} is spiky: {percent} % of the samples stand off their neighbours; too many to be stray spikes, left as they are";
     SPIKES: "spikes of {channel} replaced by straight lines, first at line {line}, largest {largest} {unit} off (spikes: {spikes}, samples: {count})";
     // Motion.
-    CONSISTENT: "velocity is {gain} times the derivative of displacement and lags it by {lag} ms ({percent} % of the displacement's variance unexplained)";
+    CONSISTENT: "velocity is {gain} times the derivative of displacement and {lag} ({percent} % of the displacement's variance unexplained)";
+    NO_LAG: "has no lag";
+    LAGS: "lags it by {lag} ms";
+    LEADS: "leads it by {lag} ms";
     DIFFERENTIATED: "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz{shorter}";
     SHORTER: "; over fewer where the motion turns within them, {percent} % of the samples";
     INTEGRATED: "displacement integrated from velocity, starting at {start} mm; velocity offset {offset} mm/s removed, which is a drift of {drift} mm over the record ({basis})";
