@@ -22,7 +22,7 @@ mod trim;
 use crate::data::complete_motion::{Motion, steady};
 use crate::data::cycle::Cycle;
 use crate::data::measurement_error::MeasurementError;
-use crate::data::record::Record;
+use crate::data::record::{Note, Record};
 use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::error::RecordError;
@@ -80,10 +80,13 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     frozen::refuse(&samples)?;
     still::refuse_constant_force(&samples)?;
     let without_force = clipped::deal(&mut samples, reach)?;
-    outliers::replace(&mut samples);
+    let replaced = outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
     let CompleteMotion { displacement, velocity, cycles, velocity_window_s } = complete(&mut samples, options)?;
     let (setting, setting_signal) = set_to::take(&mut samples, &options.settings);
+    // The spikes of a velocity that is not used are irrelevant.
+    let used = replaced.into_iter().filter(|(channel, _)| *channel != Channel::Velocity || velocity_window_s == 0.0);
+    samples.notes.splice(before..before, used.map(|(_, text)| Note { kind: "outlier", text }));
     let mut motion = Motion {
         at: samples.at,
         name: samples.name,
@@ -344,6 +347,7 @@ mod tests {
     use crate::error::Place;
     use crate::fixtures::SineTest;
 
+    use crate::quantities::unit::Unit;
     fn clean(samples: Samples, options: &Options) -> Result<Record, RecordError> {
         finish(repair(samples, options)?)
     }
