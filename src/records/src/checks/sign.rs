@@ -28,7 +28,7 @@ use crate::tuning::delay::UNCLEAR;
 use crate::tuning::sign::{
     FAST, FEWEST, HYSTERESIS, MOST_BY_SHAPE, PRIOR_RATIO, RATIO_SCATTER, SLOW, SUREST, TARED, UNSURE,
 };
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Result of determining the positive direction of the files.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -153,9 +153,9 @@ fn lateness(
     }
     let describe = |late: &Delay| {
         Sentence::from(phrases::LATE)
-            .with("delay", format!("{:.1}", 1e3 * late.seconds))
-            .with("left", format!("{:.1}", 100.0 * late.unexplained))
-            .with("recorded", format!("{:.1}", 100.0 * late.unexplained_as_recorded.min(1.0)))
+            .with("delay", format_decimals(1e3 * late.seconds, 1))
+            .with("left", format_decimals(100.0 * late.unexplained, 1))
+            .with("recorded", format_decimals(100.0 * late.unexplained_as_recorded.min(1.0), 1))
     };
     let flag = |late: &Delay| format!("--delay {:.4}", options.delay_s + late.seconds);
     let late = if feeding.is_empty() {
@@ -371,7 +371,7 @@ fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Se
     let names: Vec<&Evidence> = exchanged.iter().map(|(i, _)| &evidence[*i]).collect();
     let clearest = exchanged.iter().max_by(|a, b| a.1.displacement.total_cmp(&b.1.displacement));
     let (shown, overtones) = clearest.map_or(("", None), |(i, o)| (evidence[*i].name.as_str(), Some(o)));
-    let percent = |share: Option<f64>| format!("{:.1}", 100.0 * share.unwrap_or(0.0));
+    let percent = |share: Option<f64>| format_decimals(100.0 * share.unwrap_or(0.0), 1);
     Sentence::from(phrases::EXCHANGED)
         .with("count", exchanged.len())
         .with("all", evidence.len())
@@ -424,7 +424,7 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
     let powers: Vec<f64> = feeding.iter().map(|e| e.power).collect();
     let cause = Sentence::from(phrases::ALL_FEED)
         .with("count", feeding.len())
-        .with("correlation", format!("{:.2}", median(&mut powers.clone())))
+        .with("correlation", format_decimals(median(&mut powers.clone()), 2))
         .with_sentence("culprit", culprit)
         .with_any("also", also);
     RecordError::FeedsEnergy { cause, tests }
@@ -459,8 +459,8 @@ fn direction(
             _ => phrases::TELLS_NOTHING,
         };
         let said = Sentence::from(phrases::ASYMMETRY)
-            .with("ratio", format!("{:.2}", libm::exp(ratio)))
-            .with("error", format!("{:.1}", libm::exp(error)))
+            .with("ratio", format_decimals(libm::exp(ratio), 2))
+            .with("error", format_decimals(libm::exp(error), 1))
             .with_sentence("verdict", verdict);
         reasons.push(said);
     }
@@ -477,7 +477,7 @@ fn direction(
     if options.positive.is_none() && sure < UNSURE {
         let text = Sentence::from(phrases::SIGN_UNSURE)
             .with_word("direction", word(found))
-            .with("percent", format!("{:.0}", 100.0 * sure))
+            .with("percent", format_decimals(100.0 * sure, 0))
             .with_list("reasons", reasons.clone(), phrases::SEMICOLON)
             .with("option", format!("--positive {}", found.name()));
         notes.push(Note { kind: "sign_unsure", text });

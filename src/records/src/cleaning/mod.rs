@@ -32,7 +32,7 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::signal::measurement_correction::correct_inertia;
 use crate::signal::{consistency, derivative, noise};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 use crate::tuning::cleaning::{BY_CHANCE, FEWEST, WINDOW_NO_CYCLE, WINDOW_OF_CYCLE};
 pub(crate) use clipped::Reach;
@@ -82,11 +82,12 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     let without_force = clipped::deal(&mut samples, reach)?;
     let replaced = outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
+    let before = samples.notes.len();
     let CompleteMotion { displacement, velocity, cycles, velocity_window_s } = complete(&mut samples, options)?;
-    let (setting, setting_signal) = set_to::take(&mut samples, &options.settings);
     // The spikes of a velocity that is not used are irrelevant.
     let used = replaced.into_iter().filter(|(channel, _)| *channel != Channel::Velocity || velocity_window_s == 0.0);
     samples.notes.splice(before..before, used.map(|(_, text)| Note { kind: "outlier", text }));
+    let (setting, setting_signal) = set_to::take(&mut samples, &options.settings);
     let mut motion = Motion {
         at: samples.at,
         name: samples.name,
@@ -162,7 +163,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                         "late_velocity",
                         Sentence::from(phrases::VELOCITY_LATE)
                             .with("column", samples.heading(Channel::Velocity))
-                            .with("lag", format!("{:.2}", 1e3 * agreement.lag.abs()))
+                            .with("lag", format_decimals(1e3 * agreement.lag.abs(), 2))
                             .with_sentence("side", if agreement.lag > 0.0 { phrases::BEHIND } else { phrases::AHEAD }),
                     );
                     return Ok(differentiated(samples, displacement));
@@ -188,10 +189,6 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
     }
 }
 
-/// Derives the velocity from the displacement.
-fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMotion {
-    let cycles = cycles::find(&samples.time, &displacement);
-    let window = match cycles.len() {
 /// Formats the lag of the velocity behind the derivative of the displacement, s. A lag that rounds to zero has no sign.
 fn describe_lag(lag: f64) -> Sentence {
     let shown = format_decimals(1e3 * lag.abs(), 2);
@@ -202,18 +199,22 @@ fn describe_lag(lag: f64) -> Sentence {
     }
 }
 
+/// Derives the velocity from the displacement.
+fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMotion {
+    let cycles = cycles::find(&samples.time, &displacement);
+    let window = match cycles.len() {
         0 => WINDOW_NO_CYCLE,
         n => WINDOW_OF_CYCLE * (cycles[n - 1].end_time - cycles[0].start_time) / n as f64,
     };
     let (velocity, filter) = derivative::differentiate(&samples.time, &displacement, window);
     let shorter = (filter.shorter > BY_CHANCE)
-        .then(|| Sentence::from(phrases::SHORTER).with("percent", format!("{:.0}", 100.0 * filter.shorter)));
+        .then(|| Sentence::from(phrases::SHORTER).with("percent", format_decimals(100.0 * filter.shorter, 0)));
     samples.note(
         "derived",
         Sentence::from(phrases::DIFFERENTIATED)
             .with("points", filter.points)
-            .with("window", format!("{:.4}", filter.window))
-            .with("frequency", format!("{:.1}", filter.bandwidth))
+            .with("window", format_decimals(filter.window, 4))
+            .with("frequency", format_decimals(filter.bandwidth, 1))
             .with_any("shorter", shorter),
     );
     CompleteMotion { displacement, velocity, cycles, velocity_window_s: filter.window }
@@ -244,9 +245,9 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
     samples.note(
         "derived",
         Sentence::from(phrases::INTEGRATED)
-            .with("start", format!("{:.2}", 1e3 * initial))
-            .with("offset", format!("{:.4}", 1e3 * removed))
-            .with("drift", format!("{:.2}", 1e3 * removed * seconds))
+            .with("start", format_decimals(1e3 * initial, 2))
+            .with("offset", format_decimals(1e3 * removed, 4))
+            .with("drift", format_decimals(1e3 * removed * seconds, 2))
             .with_sentence("basis", basis),
     );
     CompleteMotion { displacement, velocity, cycles, velocity_window_s: 0.0 }
@@ -346,8 +347,8 @@ mod tests {
     use crate::data::test_metadata::TestMetadata;
     use crate::error::Place;
     use crate::fixtures::SineTest;
-
     use crate::quantities::unit::Unit;
+
     fn clean(samples: Samples, options: &Options) -> Result<Record, RecordError> {
         finish(repair(samples, options)?)
     }
@@ -408,11 +409,6 @@ mod tests {
     }
 
     #[test]
-    fn an_incomplete_last_cycle_is_cut() {
-        let test = SineTest::default();
-        let samples = test.samples();
-        let mut cut = samples.clone();
-    #[test]
     fn a_lag_that_rounds_to_zero_has_no_sign() {
         let said = [-4e-6, 0.0, 4e-6, 2e-5, -2e-5].map(|lag| describe_lag(lag).to_string());
         let none = "has no lag";
@@ -445,6 +441,11 @@ mod tests {
         assert!(said.len() == 1 && said[0].contains("force"), "{said:?}");
     }
 
+    #[test]
+    fn an_incomplete_last_cycle_is_cut() {
+        let test = SineTest::default();
+        let samples = test.samples();
+        let mut cut = samples.clone();
         cut.select(&(0..((test.steady_from() + 3.7) * 200.0) as usize).collect::<Vec<_>>());
         let record = clean(cut, &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 3);
