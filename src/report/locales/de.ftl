@@ -1400,9 +1400,12 @@ identification-contradicts = { $name } widerspricht den Maßen des Dämpfers: { 
 identification-one-rate = alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei einem Drittel der Frequenz würde sie unterscheiden
 identification-roads = { $roads } lange Versuche ohne Zyklen werden in { $stretches } Abschnitten von je { $seconds } s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt
 identification-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
-identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } { $unit }): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
+identification-one-test = in einem einzigen Versuch sehen ein später Kraftkanal und ein weicher Reihenpfad gleich aus: der Kanal gilt als unverzögert; derselbe Hub bei einem Drittel der Frequenz würde sie unterscheiden
+identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
 identification-one-amplitude = alle Versuche haben fast dieselbe Amplitude: Feder und Reihensteifigkeit beruhen allein auf der Frequenz
-identification-one-fast-amplitude = alle Versuche über { $velocity } { $unit } haben fast dieselbe Amplitude: Die Reihensteifigkeit beruht allein auf der Frequenz
+identification-one-amplitude-of-spring = alle Versuche haben fast dieselbe Amplitude: die Feder beruht allein auf der Frequenz
+identification-one-amplitude-of-series = alle Versuche haben fast dieselbe Amplitude: die Reihensteifigkeit beruht allein auf der Frequenz
+identification-one-fast-amplitude = alle Versuche über { $velocity } mm/s haben fast dieselbe Amplitude: Die Reihensteifigkeit beruht allein auf der Frequenz
 identification-zero-moves = das Modell lässt von jedem Versuch eine andere gleichbleibende Kraft übrig, von { $low } bis { $high } N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich
 
 ## What a fit says. What the measurement is off by.

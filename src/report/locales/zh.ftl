@@ -1388,9 +1388,12 @@ identification-contradicts = { $name } 与减振器的尺寸矛盾：{ $value } 
 identification-one-rate = 所有试验的换向快慢几乎相同，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三分之一频率做同一行程的试验可将二者区分
 identification-roads = { $roads } 个没有循环的长试验各以 { $stretches } 段、每段 { $seconds } s 计算，所选各段经过其全部位移和速度；全记录误差计入每个采样点
 identification-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
-identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } { $unit }）：摩擦取自较快试验的慢速部分
+identification-one-test = 在单个试验中，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三分之一频率做同一行程的试验可将二者区分
+identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } mm/s）：摩擦取自较快试验的慢速部分
 identification-one-amplitude = 所有试验的振幅几乎相同：弹簧和串联刚度仅由频率确定
-identification-one-fast-amplitude = 所有快于 { $velocity } { $unit } 的试验振幅几乎相同：串联刚度仅由频率确定
+identification-one-amplitude-of-spring = 所有试验的振幅几乎相同：弹簧仅由频率确定
+identification-one-amplitude-of-series = 所有试验的振幅几乎相同：串联刚度仅由频率确定
+identification-one-fast-amplitude = 所有快于 { $velocity } mm/s 的试验振幅几乎相同：串联刚度仅由频率确定
 identification-zero-moves = 模型在各试验中剩下各不相同的恒定力，从 { $low } 到 { $high } N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信
 
 ## What a fit says. What the measurement is off by.

@@ -8,8 +8,8 @@ use super::setting_labels;
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::expected::{contradiction, expectation, is_contradiction};
 use crate::fit::{
-    About, check_elements, check_motion, coverage_notes, frame, has_compliance, of_number, plain_curve,
-    search_structure, with_free_measurement,
+    About, check_elements, check_motion, coverage_notes, has_compliance, of_number, plain_curve, search_structure,
+    with_free_measurement,
 };
 use crate::intervals::{Estimate, Known, Standing, sources};
 use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
@@ -204,7 +204,7 @@ pub fn fit_family(
     notes.extend(worse_than_alone(&reports, &axis));
     notes.extend(selection);
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));
-    notes.extend(coverage_notes(&segments(&constant), &frame(&constant)));
+    notes.extend(coverage_notes(&segments(&constant), &damper.params));
     notes.extend(measured.iter().map(Measured::in_words));
     let scored: usize = all.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
     progress(Stage { done: 1.0, text: phrases::DONE });
