@@ -6,6 +6,7 @@ use super::literature::piecewise_linear::COEFFICIENTS_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured};
 use super::phrases;
+use super::rare_values::describe_rare;
 use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
@@ -328,6 +329,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
     notes.extend(describe_priors(&options.priors, &estimates));
+    notes.extend(estimates.iter().filter_map(|estimate| describe_rare(estimate, &params, &options.priors)));
     if params.is_on(element!("gas_warming")) {
         let reference = params.number(number!("gas_warming_reference"));
         notes.push(Sentence::from(phrases::GAS_AT).with("temperature", format!("{reference:.1}")));

@@ -1389,6 +1389,8 @@ identification-needs-side-forces = dazu braucht es langsame Versuche bei zwei od
 identification-taken-up = eine freie FV-Kurve nimmt einen v²-Anteil auf
 identification-held = { $name } ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf { $value } gehalten
 identification-at-bound = { $name } stieß bei { $value } an die Grenze seines Bereichs: die Daten verlangen etwas, was dieses Element nicht kann
+identification-rare-value = { $name } ist { $value }, außerhalb dessen, was Dämpfer und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
+identification-rare-assumed = { $name } ist mit { $value } angenommen, außerhalb dessen, was Dämpfer und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
 
 ## What a fit says. What was known of the damper beside its records.
 

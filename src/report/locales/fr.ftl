@@ -1389,6 +1389,8 @@ identification-needs-side-forces = il faut des essais lents à deux efforts lat�
 identification-taken-up = une courbe FV libre absorbe un terme en v²
 identification-held = { $name } n’a pu être identifié de ces données ; sa valeur est tenue à { $value }
 identification-at-bound = { $name } a atteint la borne de son domaine à { $value } : les données demandent ce que cet élément ne peut faire
+identification-rare-value = { $name } vaut { $value }, hors de ce que montrent amortisseurs et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
+identification-rare-assumed = { $name } est supposé à { $value }, hors de ce que montrent amortisseurs et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -1377,6 +1377,8 @@ identification-needs-side-forces = 需要在两种或更多侧向力下的慢速
 identification-taken-up = 自由的 FV 曲线会吸收 v² 项
 identification-held = { $name } 无法由这些数据辨识；固定为 { $value }
 identification-at-bound = { $name } 到达其范围边界 { $value }：数据要求的是该元件做不到的
+identification-rare-value = { $name } 为 { $value }，超出减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
+identification-rare-assumed = { $name } 假定为 { $value }，超出减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -13,6 +13,7 @@ use crate::fit::{
 };
 use crate::intervals::{Estimate, Known, Standing, sources};
 use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
+use crate::rare_values::describe_rare;
 use crate::{FitOptions, Stage, phrases};
 use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
@@ -198,6 +199,13 @@ pub fn fit_family(
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(notes_of_priors(&options.priors, &estimates, &axis));
+    notes.extend(estimates.iter().filter_map(|of| {
+        let said = describe_rare(&of.estimate, &damper.params, &options.priors)?;
+        Some(match of.setting {
+            Some(value) => at_setting(&axis, value, said),
+            None => said,
+        })
+    }));
     let doubts = setting_labels::notes(&best, &damper, &axis, &sorted, &settings);
     let has_doubtful_labels = !doubts.is_empty();
     notes.extend(doubts);
