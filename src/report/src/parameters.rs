@@ -146,8 +146,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
 pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
     let id = &model.identification;
     let mut rows = Vec::new();
-    let on = |element| model.params.is_on(element);
-    for row in parameter::table().filter(|row| row.element().is_some_and(on)) {
+    for row in parameter::table().filter(|row| row.element().is_some() && model.params.counts(row)) {
         let p = row.parameter;
         let values = model.params.get(&row);
         let interval = id.intervals.get(p.name);
@@ -274,6 +273,23 @@ mod tests {
         let mut params = Params::new();
         params.enable(element!("gas_spring"), true);
         let usual = assumed("gas_stiffness", 1000.0, &params, None, &EN);
+    use dashpot_identification::model_file::of_text;
+
+    #[test]
+    fn only_identified_numbers_have_source_tests_and_only_acting_ones_are_listed() {
+        let text = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nfv_rebound_c1 = 5393\n\
+             gas_force = 99\ncoulomb_force = 42\n[identification]\nnot_identified = [\"gas_force\"]\n\
+             [identification.intervals]\ncoulomb_force = [40, 44]\n\
+             [identification.sources]\ngas_force = \"small strokes 63 %\"\ncoulomb_force = \"small strokes 63 %\"\n";
+        let rows = of_model(&of_text(text, "m.toml".as_ref()).unwrap(), &EN);
+        let source = |name: &str| rows.iter().find(|row| row.name == name).map(|row| row.source.as_str());
+        assert_eq!(source("coulomb_force"), Some("small strokes 63 %"));
+        assert_eq!(source("gas_force"), Some(""));
+        assert_eq!(source("fv_rebound_c1"), None);
+        let piecewise = text.replace("fv_rebound_c1", "fv_form = \"piecewise\"\nfv_rebound_c1");
+        let rows = of_model(&of_text(&piecewise, "m.toml".as_ref()).unwrap(), &EN);
+        assert!(rows.iter().any(|row| row.name == "fv_rebound_c1"));
+    }
         assert!(usual.contains("assumed 1.000\u{a0}N/mm, what dampers show ("), "{usual}");
         let default = params.number(number!("internal_mass"));
         let told = assumed("internal_mass", default, &params, None, &EN);
