@@ -720,11 +720,19 @@ mod tests {
             notes.into_iter().filter(|note| note.contains("amplitude")).collect()
         };
         let (slow, fast) = (0.5 * SLOW, 10.0 * SLOW);
-        assert!(said(&[(0.005, slow), (0.05, slow)]).is_empty());
-        assert!(said(&[(0.005, fast), (0.05, fast), (0.05, slow)]).is_empty());
-        assert!(said(&[(0.05, slow)])[0].starts_with("all tests have"));
-        assert!(said(&[(0.05, slow), (0.05, fast)])[0].starts_with("all tests have"));
-        assert!(said(&[(0.005, slow), (0.05, fast)])[0].starts_with("all tests faster than 6 mm/s have"));
+        let both: &[&str] = &["parallel_spring", "series_compliance"];
+        assert!(said(&[(0.005, slow), (0.05, slow)], both).is_empty());
+        assert!(said(&[(0.005, fast), (0.05, fast), (0.05, slow)], both).is_empty());
+        assert!(said(&[(0.05, slow), (0.05, fast)], both)[0].contains("the spring and the series stiffness rest"));
+        assert!(said(&[(0.005, slow), (0.05, fast), (0.05, fast)], both)[0].contains("tests faster than 6 mm/s have"));
+        // One test is not all tests, and a model without such an element has nothing that rests on the frequency.
+        assert!(said(&[(0.05, slow)], both).is_empty() && said(&[(0.005, slow), (0.05, fast)], both).is_empty());
+        assert!(said(&[(0.05, slow), (0.05, fast)], &["gas_spring"])[0].contains("the spring rests"));
+        assert!(
+            said(&[(0.05, slow), (0.05, fast)], &["oil_compressibility"])[0].contains("the series stiffness rests")
+        );
+        assert!(said(&[(0.05, slow), (0.05, fast)], &["coulomb_friction"]).is_empty());
+        assert!(said(&[(0.005, slow), (0.05, fast), (0.05, fast)], &["gas_spring"]).is_empty());
     }
 
     #[test]

@@ -28,9 +28,9 @@ dashpot_messages::phrases! {
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
     // Effects that the tests of the campaign cannot show, and tests that the search does not use.
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at a third of the frequency would tell them apart";
+    ONE_TEST: "in a single test, a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at a third of the frequency would tell them apart";
     ROADS: "the long tests without cycles ({roads}) are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
-    ONE_TEST: "in a single test, a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at a third of the frequency would tell them apart";
     NO_SLOW_TEST: "there is no slow test with whole cycles (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
     ONE_AMPLITUDE_OF_SPRING: "all tests have nearly the same amplitude: the spring rests on frequency alone";

@@ -1400,9 +1400,9 @@ identification-contradicts = { $name } contredit les dimensions de l’amortisse
 ## What a fit says. What the campaign cannot show.
 
 identification-one-rate = tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
+identification-one-test = dans un seul essai, une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
 identification-roads = { $roads } longs essais sans cycles sont calculés en { $stretches } tronçons de { $seconds } s, choisis pour parcourir tous leurs déplacements et toutes leurs vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
 identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
-identification-one-test = dans un seul essai, une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
 identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
 identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
 identification-one-amplitude-of-spring = tous les essais ont presque la même amplitude : le ressort ne repose que sur la fréquence

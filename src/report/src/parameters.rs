@@ -169,7 +169,12 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     unit: p.unit.to_owned(),
                     low,
                     high,
-                    source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept, &id.messages)),
+                    // A value that no test determines comes from none.
+                    source: id
+                        .sources
+                        .get(p.name)
+                        .filter(|_| !missing)
+                        .map_or_else(String::new, |kept| words.say_kept(kept, &id.messages)),
                     remark: Remark::Meaning(p.name),
                     assumed: missing.then(|| assumed(p.name, values[0], &model.params, None, words)),
                 });
@@ -208,7 +213,7 @@ pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
         name: e.index.map_or_else(|| e.name.to_owned(), |k| format!("{}[{k}]", e.name)),
         // A parameter that the records do not determine has no value.
         value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
-        source: words.say(&e.from),
+        source: if e.standing == Standing::NotIdentified { String::new() } else { words.say(&e.from) },
         assumed: assumed_of_damper(e, (&fit.params, &fit.priors), words),
         ..of_estimate(e)
     };
@@ -220,6 +225,7 @@ pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
     let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
     let row = |e: &Estimate| ParameterRow {
         source: match added(e.name) {
+            _ if e.standing == Standing::NotIdentified => String::new(),
             Some(finding) => words.fill(words.source_added, &[("effect", finding.effect)]),
             None => words.source_refitted.to_owned(),
         },
@@ -263,16 +269,10 @@ pub fn assumed_of_damper(e: &Estimate, of: (&Params, &PriorSet), words: &Words) 
 
 #[cfg(test)]
 mod tests {
-    use super::assumed;
+    use super::{assumed, of_model};
     use crate::words::EN;
     use dashpot_core::number;
     use dashpot_core::{Params, element};
-
-    #[test]
-    fn what_was_assumed_has_its_source() {
-        let mut params = Params::new();
-        params.enable(element!("gas_spring"), true);
-        let usual = assumed("gas_stiffness", 1000.0, &params, None, &EN);
     use dashpot_identification::model_file::of_text;
 
     #[test]
@@ -290,6 +290,12 @@ mod tests {
         let rows = of_model(&of_text(&piecewise, "m.toml".as_ref()).unwrap(), &EN);
         assert!(rows.iter().any(|row| row.name == "fv_rebound_c1"));
     }
+
+    #[test]
+    fn what_was_assumed_has_its_source() {
+        let mut params = Params::new();
+        params.enable(element!("gas_spring"), true);
+        let usual = assumed("gas_stiffness", 1000.0, &params, None, &EN);
         assert!(usual.contains("assumed 1.000\u{a0}N/mm, what dampers show ("), "{usual}");
         let default = params.number(number!("internal_mass"));
         let told = assumed("internal_mass", default, &params, None, &EN);
