@@ -6,6 +6,7 @@ use super::literature::piecewise_linear::COEFFICIENTS_AND_KNEES;
 use super::literature::{Literature, LiteratureError, fv_curve, observation::observations};
 use super::of_the_rig::{self, Measured};
 use super::phrases;
+use super::rare_values::describe_rare;
 use dashpot_core::parameter::{Element, Number, names};
 use dashpot_core::{Model, Params};
 use dashpot_core::{element, list, number};
@@ -33,7 +34,7 @@ use dashpot_estimation::vocabulary::Candidate;
 use dashpot_estimation::warmth::temperatures;
 use dashpot_messages::{Sentence, Template};
 use dashpot_records::measurement_correction::MeasurementError;
-use dashpot_records::{Record, RigFrame, round_figure};
+use dashpot_records::{Record, round_figure};
 use std::sync::Arc;
 
 /// Kind of model to fit.
@@ -319,7 +320,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     };
     found.notes.extend(selection.map(|(_, note)| note));
     found.notes.extend(describe_roads(&tests));
-    found.notes.extend(coverage_notes(&segments, &frame(records)));
+    found.notes.extend(coverage_notes(&segments, &found.params));
     if options.family == Family::Thesis && found.measured.is_empty() && found.misfit > OFF {
         found.notes.extend(zero_moves(&segments, &found.params));
     }
@@ -328,6 +329,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
     notes.extend(describe_priors(&options.priors, &estimates));
+    notes.extend(estimates.iter().filter_map(|estimate| describe_rare(estimate, &params, &options.priors)));
     if params.is_on(element!("gas_warming")) {
         let reference = params.number(number!("gas_warming_reference"));
         notes.push(Sentence::from(phrases::GAS_AT).with("temperature", format!("{reference:.1}")));
@@ -508,7 +510,7 @@ fn fit_thesis(
     found.inventory = inventory;
     // The note also applies if the best structure has no series path, because a leading force channel can hide a series path.
     if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
-        found.notes.push(phrases::ONE_RATE.into());
+        found.notes.push(if tests.len() > 1 { phrases::ONE_RATE } else { phrases::ONE_TEST }.into());
     }
     for (effects, numbers) in IN_EVERY_DAMPER {
         let is_in = best.components.iter().any(|c| effects.contains(&c.effect));
@@ -654,28 +656,32 @@ pub fn describe_roads(tests: &[Test]) -> Option<Sentence> {
     Some(said.with("seconds", format!("{seconds:.1}")))
 }
 
-/// Returns the coordinates of the files of a campaign.
-pub(crate) fn frame(records: &[&Record]) -> RigFrame {
-    records.first().map(|record| record.frame).unwrap_or_default()
-}
-
-/// Returns notes about tests that the campaign lacks: slow tests, and tests whose amplitudes differ by a factor of at least two.
-pub(crate) fn coverage_notes(segments: &[Segment], frame: &RigFrame) -> Vec<Sentence> {
+/// Returns notes about tests that the campaign lacks: slow tests, and tests whose amplitudes differ by a factor of at least two. The amplitudes
+/// concern only models with a spring or a series stiffness.
+pub(crate) fn coverage_notes(segments: &[Segment], params: &Params) -> Vec<Sentence> {
     let mut notes = Vec::new();
-    let unit = frame.speed_unit();
-    let velocity = round_figure(SLOW / unit.to_si(1.0));
+    let velocity = round_figure(1e3 * SLOW);
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
-        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity).with("unit", unit.name()));
+        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity));
     }
-    let is_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
-        let (low, high) = amplitudes.fold((f64::INFINITY, 0.0f64), |(l, h), a| (l.min(a), h.max(a)));
-        high > 0.0 && high < 2.0 * low
+    let are_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
+        let (count, low, high) =
+            amplitudes.fold((0, f64::INFINITY, 0.0f64), |(n, l, h), a| (n + 1, l.min(a), h.max(a)));
+        count > 1 && high > 0.0 && high < 2.0 * low
     };
-    if is_one(&mut segments.iter().map(|s| s.amplitude)) {
-        notes.push(phrases::ONE_AMPLITUDE.into());
-    } else if is_one(&mut segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude)) {
+    let has_spring = params.is_on(element!("gas_spring")) || params.is_on(element!("parallel_spring"));
+    if are_one(&mut segments.iter().map(|s| s.amplitude)) {
+        notes.extend(match (has_spring, has_compliance(params)) {
+            (true, true) => Some(phrases::ONE_AMPLITUDE.into()),
+            (true, false) => Some(phrases::ONE_AMPLITUDE_OF_SPRING.into()),
+            (false, true) => Some(phrases::ONE_AMPLITUDE_OF_SERIES.into()),
+            (false, false) => None::<Sentence>,
+        });
+    } else if has_compliance(params)
+        && are_one(&mut segments.iter().filter(|s| s.peak_velocity >= SLOW).map(|s| s.amplitude))
+    {
         // Slow tests show friction and gas force, but hardly the spring in series, so the fast tests also need different amplitudes.
-        notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity).with("unit", unit.name()));
+        notes.push(Sentence::from(phrases::ONE_FAST_AMPLITUDE).with("velocity", velocity));
     }
     notes
 }
@@ -703,17 +709,30 @@ mod tests {
             (segment.amplitude, segment.peak_velocity) = (amplitude, peak_velocity);
             segment
         };
-        let said = |all: &[(f64, f64)]| -> Vec<String> {
+        let said = |all: &[(f64, f64)], elements: &[&str]| -> Vec<String> {
             let all: Vec<Segment> = all.iter().map(|(amplitude, peak)| segment(*amplitude, *peak)).collect();
-            let notes = coverage_notes(&all, &RigFrame::default()).iter().map(ToString::to_string).collect::<Vec<_>>();
+            let mut params = Params::default();
+            params.disable_all();
+            for name in elements {
+                params.enable(Element::find(name).unwrap(), true);
+            }
+            let notes = coverage_notes(&all, &params).iter().map(ToString::to_string).collect::<Vec<_>>();
             notes.into_iter().filter(|note| note.contains("amplitude")).collect()
         };
         let (slow, fast) = (0.5 * SLOW, 10.0 * SLOW);
-        assert!(said(&[(0.005, slow), (0.05, slow)]).is_empty());
-        assert!(said(&[(0.005, fast), (0.05, fast), (0.05, slow)]).is_empty());
-        assert!(said(&[(0.05, slow)])[0].starts_with("all tests have"));
-        assert!(said(&[(0.05, slow), (0.05, fast)])[0].starts_with("all tests have"));
-        assert!(said(&[(0.005, slow), (0.05, fast)])[0].starts_with("all tests faster than 6 mm/s have"));
+        let both: &[&str] = &["parallel_spring", "series_compliance"];
+        assert!(said(&[(0.005, slow), (0.05, slow)], both).is_empty());
+        assert!(said(&[(0.005, fast), (0.05, fast), (0.05, slow)], both).is_empty());
+        assert!(said(&[(0.05, slow), (0.05, fast)], both)[0].contains("the spring and the series stiffness rest"));
+        assert!(said(&[(0.005, slow), (0.05, fast), (0.05, fast)], both)[0].contains("tests faster than 6 mm/s have"));
+        // One test is not all tests, and a model without such an element has nothing that rests on the frequency.
+        assert!(said(&[(0.05, slow)], both).is_empty() && said(&[(0.005, slow), (0.05, fast)], both).is_empty());
+        assert!(said(&[(0.05, slow), (0.05, fast)], &["gas_spring"])[0].contains("the spring rests"));
+        assert!(
+            said(&[(0.05, slow), (0.05, fast)], &["oil_compressibility"])[0].contains("the series stiffness rests")
+        );
+        assert!(said(&[(0.05, slow), (0.05, fast)], &["coulomb_friction"]).is_empty());
+        assert!(said(&[(0.005, slow), (0.05, fast), (0.05, fast)], &["gas_spring"]).is_empty());
     }
 
     #[test]

@@ -71,7 +71,7 @@ fn known_numbers<'de, D: Deserializer<'de>>(from: D) -> Result<BTreeMap<String, 
     match numbers.iter().find(|(name, numbers)| Measured::named(name, **numbers).is_none()) {
         Some((name, numbers)) => Err(serde::de::Error::custom(format!(
             "[identification.measurement] {name} = {numbers:?} is nothing that a fit finds: it is delay, rig_mass, gain_drift or drift, with \
-             value, low and high end"
+             value, low and high end; a mass is 0 or more"
         ))),
         None => Ok(numbers),
     }

@@ -20,6 +20,7 @@ pub mod of_peaks;
 mod of_the_rig;
 pub mod peaks;
 mod phrases;
+mod rare_values;
 pub mod remarks;
 pub mod setting_units;
 mod short;

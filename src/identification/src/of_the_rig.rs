@@ -67,11 +67,12 @@ impl Measured {
         Measured { name: artefact.parameter(), value, low, high, unit: artefact.unit(), option }
     }
 
-    /// Makes a measurement error from its name and numbers in a model file. Returns `None` for a name that no fit tries, and for numbers
-    /// that are not finite.
+    /// Makes a measurement error from its name and numbers in a model file. Returns `None` for a name that no fit tries, for numbers that
+    /// are not finite, and for a negative mass.
     pub fn named(name: &str, numbers: [f64; 3]) -> Option<Measured> {
         let artefact = LOOKED_FOR.into_iter().find(|artefact| artefact.parameter() == name)?;
-        numbers.iter().all(|n| n.is_finite()).then(|| Measured::new(artefact, numbers))
+        let may = numbers.iter().all(|n| n.is_finite()) && (artefact.bounds().0 < 0.0 || numbers[0] >= 0.0);
+        may.then(|| Measured::new(artefact, numbers))
     }
 
     /// Makes a measurement error from the result of a fit or a diagnosis. Returns `None` if no fit tries the error, or if a number is not
@@ -193,6 +194,13 @@ pub fn measured(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Vec<M
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_mass_below_zero_is_no_measurement_error() {
+        assert!(Measured::named("rig_mass", [-3.0, -3.1, -2.9]).is_none());
+        assert!(Measured::named("rig_mass", [0.0, -0.1, 0.1]).is_some());
+        assert!(Measured::named("delay", [-3e-3, -3.1e-3, -2.9e-3]).is_some());
+    }
 
     #[test]
     fn a_force_channel_that_leads_is_told_as_early() {

@@ -21,16 +21,21 @@ dashpot_messages::phrases! {
     TAKEN_UP: "a free FV curve takes a v² term up";
     HELD: "{name} could not be identified from this data; it is held at {value}";
     AT_BOUND: "{name} ran into the bound of its range at {value}: the data asks for something this element cannot do";
+    RARE_VALUE: "{name} is {value}, outside what dampers and rigs show ({low} to {high}): it may make up for something that the model lacks";
+    RARE_ASSUMED: "{name} is assumed at {value}, outside what dampers and rigs show ({low} to {high}): it may make up for something that the model lacks";
     // Prior knowledge of the damper.
     EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";
     // Effects that the tests of the campaign cannot show, and tests that the search does not use.
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at a third of the frequency would tell them apart";
+    ONE_TEST: "in a single test, a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at a third of the frequency would tell them apart";
     ROADS: "the long tests without cycles ({roads}) are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
-    NO_SLOW_TEST: "there is no slow test with whole cycles (peak below {velocity} {unit}): friction is taken from the slow parts of faster tests";
+    NO_SLOW_TEST: "there is no slow test with whole cycles (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
-    ONE_FAST_AMPLITUDE: "all tests faster than {velocity} {unit} have nearly the same amplitude: the series stiffness rests on frequency alone";
+    ONE_AMPLITUDE_OF_SPRING: "all tests have nearly the same amplitude: the spring rests on frequency alone";
+    ONE_AMPLITUDE_OF_SERIES: "all tests have nearly the same amplitude: the series stiffness rests on frequency alone";
+    ONE_FAST_AMPLITUDE: "all tests faster than {velocity} mm/s have nearly the same amplitude: the series stiffness rests on frequency alone";
     ZERO_MOVES: "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
     // Measurement errors.
     FOUND_EARLY: "the force channel comes early by {value} ms (95 %: {low} to {high})";

@@ -12,9 +12,17 @@ pub fn format_number(value: f64) -> String {
     format!("{value:e}")
 }
 
-/// Formats a number with this number of decimals. From a magnitude of 1e9 on, it has an exponent instead.
+/// Formats a number with this number of decimals, without the sign of a negative zero. From a magnitude of 1e9 on, it has an exponent
+/// instead.
 pub fn format_decimals(value: f64, decimals: usize) -> String {
-    if value.abs() < PLAIN.end || !value.is_finite() { format!("{value:.decimals$}") } else { format!("{value:.3e}") }
+    if value.abs() >= PLAIN.end && value.is_finite() {
+        return format!("{value:.3e}");
+    }
+    let text = format!("{value:.decimals$}");
+    match text.strip_prefix('-') {
+        Some(rest) if rest.bytes().all(|byte| matches!(byte, b'0' | b'.')) => rest.to_owned(),
+        _ => text,
+    }
 }
 
 #[cfg(test)]
@@ -39,6 +47,7 @@ mod tests {
         }
         assert_eq!(format_decimals(1.0 / 3.0, 2), "0.33");
         assert_eq!([1e308, -1e9, 1e-308].map(|value| format_decimals(value, 1)), ["1.000e308", "-1.000e9", "0.0"]);
+        assert_eq!([-0.004, -0.0, -0.006].map(|value| format_decimals(value, 2)), ["0.00", "0.00", "-0.01"]);
         for value in [f64::MAX, f64::MIN_POSITIVE, 5e-324, 0.1 + 0.2, -1.0 / 3e7] {
             let text = format_number(value);
             assert!(text.len() < 26 && text.parse() == Ok(value), "{text}");

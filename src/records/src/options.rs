@@ -165,9 +165,9 @@ impl Options {
                 ));
             }
         }
-        if !(self.rig_mass_kg.abs() <= LARGEST_MASS) {
+        if !(0.0..=LARGEST_MASS).contains(&self.rig_mass_kg) {
             return Err(format!(
-                "a rig mass of {} kg on the load cell cannot be; give it in kg, such as 1.2, of {LARGEST_MASS} kg at most",
+                "a rig mass of {} kg on the load cell cannot be; give it in kg, such as 1.2, of 0 to {LARGEST_MASS} kg",
                 format_number(self.rig_mass_kg)
             ));
         }
@@ -260,6 +260,11 @@ mod tests {
                 assert!(message.len() < 300, "{message}");
             }
         }
+        // Delay and zeros may have either sign. A rate, a factor and a mass may not.
+        for (k, (change, limit)) in limits.iter().enumerate() {
+            assert_eq!(check(*change, -0.75 * limit), [0, 3, 4, 6].contains(&k), "-{limit}");
+        }
+        assert!(check(limits[5].0, 0.0) && !check(limits[5].0, -1e-308));
         for (change, _) in [limits[1], limits[2], limits[7]] {
             assert!(!check(change, 0.0) && !check(change, 1e-308));
         }

@@ -490,6 +490,31 @@ pub(crate) mod sign {
     pub(crate) const FEWEST: usize = 10;
 }
 
+/// Constants of `signal/unit_slip.rs`.
+pub(crate) mod unit_slip {
+    /// Relative deviation from the ratio of two units up to which a unit explains a ratio of velocity and derivative.
+    /// Sensors have smaller errors, and no two units are so close.
+    ///
+    /// Test: `the_unit_with_a_usual_test_is_first`.
+    pub(crate) const EXACTNESS: f64 = 0.06;
+
+    /// Amplitude of a usual damper test, m. Of several units that explain a contradiction, that of the most usual test
+    /// is likely. A wrong unit is wrong by a factor of ten or more, so a factor of two is irrelevant here.
+    ///
+    /// Test: `the_unit_with_a_usual_test_is_first`.
+    pub(crate) const USUAL_AMPLITUDE: f64 = 0.02;
+
+    /// Peak velocity of a usual damper test, m/s.
+    ///
+    /// Test: `the_unit_with_a_usual_test_is_first`.
+    pub(crate) const USUAL_SPEED: f64 = 0.2;
+
+    /// Frequency of a usual damper test, Hz.
+    ///
+    /// Test: `the_unit_with_a_usual_test_is_first`.
+    pub(crate) const USUAL_FREQUENCY: f64 = 1.5;
+}
+
 /// Constants of `checks/unit_magnitude.rs`.
 pub(crate) mod unit_magnitude {
     /// Current, A, above which values in mA were likely read as A. Damper valves use up to 3 A, and the coils of
@@ -626,7 +651,7 @@ pub(crate) mod options {
     pub(crate) const LARGEST_SETTING: f64 = 1e9;
 
     /// Largest mass on a load cell that the options accept, kg. A heavy truck damper with its clamps has a smaller
-    /// mass. A larger number is likely in grams. A negative mass reverses an excessive compensation by the rig.
+    /// mass. A larger number is likely in grams.
     ///
     /// Test: `numbers_that_cannot_be_are_rejected_where_the_limits_are_stated`.
     pub(crate) const LARGEST_MASS: f64 = 100.0;

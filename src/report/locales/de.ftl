@@ -1083,7 +1083,10 @@ records-spikes = Störspitzen des Kanals { $channel } durch Geraden ersetzt, die
 
 ## What reading says of records. Motion.
 
-records-consistent = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs und eilt ihr um { $lag } ms nach ({ $percent } % der Varianz des Wegs bleiben unerklärt)
+records-consistent = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs und { $lag } ({ $percent } % der Varianz des Wegs bleiben unerklärt)
+records-no-lag = hat keinen Versatz
+records-lags = eilt ihr um { $lag } ms nach
+records-leads = eilt ihr um { $lag } ms voraus
 records-differentiated = Geschwindigkeit durch Ableiten des Wegs, mit gleitenden kubischen Polynomen über { $points } Messwerte ({ $window } s), ohne Phasenverschiebung, −3 dB bei { $frequency } Hz{ $shorter }
 records-shorter = ; über weniger, wo die Bewegung darin umkehrt, { $percent } % der Messwerte
 records-integrated = Weg durch Integration der Geschwindigkeit, Beginn bei { $start } mm; Nullpunktfehler der Geschwindigkeit von { $offset } mm/s entfernt, das sind { $drift } mm Drift über die Messung ({ $basis })
@@ -1271,9 +1274,9 @@ records-exchanged = Weg und Kraft sehen in { $count } von { $all } Versuchen ver
 records-exchanged-feed = { $exchanged }; so gelesen gäbe der Dämpfer Energie in den Prüfstand ab. Geben Sie --column displacement="Überschrift" und --column force="Überschrift" umgekehrt an, und --unit, wo die Einheiten mitgehen. Betrifft es nur einige Dateien, legen Sie diese in einen eigenen Ordner, sagen Sie es dort mit dashpot import-profile, und nennen Sie beide Ordner
 records-exchanged-doubt = { $exchanged }. Wenn das so ist, stimmt nichts von dem, was folgt: Geben Sie --column displacement="Überschrift" und --column force="Überschrift" umgekehrt an, und lassen Sie --flip weg
 records-or-late = . Oder { $late }; dann { $option } angeben
-records-flip-motion = die Kraft im Stillstand ist eine Druckkraft und negativ gezählt, wie beim Gas, wenn Zugkraft positiv zählt; also zählen Weg und Geschwindigkeit in Druckrichtung positiv. --flip motion angeben (oder den Export berichtigen)
-records-flip-force = die Kraft im Stillstand ist eine Druckkraft und positiv gezählt, wie beim Gas, wenn Druckkraft positiv zählt; also zählen Weg und Geschwindigkeit in Zugrichtung positiv. --flip force angeben (oder den Export berichtigen)
-records-flip-either = die Kraft im Stillstand ist zu klein, um zu sagen, welche. Sind Druckkräfte positiv gezählt, --flip force angeben, sind es Druckbewegungen, --flip motion (oder den Export berichtigen)
+records-flip-motion = { $standstill }; dann zählen Weg und Geschwindigkeit in Druckrichtung positiv. --flip motion angeben (oder den Export berichtigen)
+records-flip-force = { $standstill }; dann zählen Weg und Geschwindigkeit in Zugrichtung positiv. --flip force angeben (oder den Export berichtigen)
+records-flip-either = { $standstill }. Sind Druckkräfte positiv gezählt, --flip force angeben, sind es Druckbewegungen, --flip motion (oder den Export berichtigen)
 
 ## What reading says of records. A motion to be imposed.
 
@@ -1327,14 +1330,12 @@ records-behind = hinter
 records-ahead = vor
 records-other-motion = das Integral der Geschwindigkeit erklärt nur { $percent } % des Wegs; sie gehören nicht zu einer Bewegung. Prüfen, ob die richtigen Spalten gelesen werden (--column velocity="heading"), { $advice }
 records-opposite-signs = sie haben entgegengesetzte Vorzeichen (die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs). Eines davon im Export umdrehen, { $advice }
-records-unit-slip = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs: eine falsche Einheit, { $slip }. Die Einheit angeben (--unit velocity=mm/s, --unit displacement=mm), { $advice }
+records-unit-slip = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs: eine falsche Einheit. Am wahrscheinlichsten { $likely }{ $others }
+records-unit-candidate = hat der Kanal { $channel } die Einheit { $likely }, gelesen wurde { $read }; das ergibt einen Versuch von { $amplitude } mm bei { $frequency } Hz und { $velocity } mm/s: { $option } angeben
+records-otherwise = . Andernfalls { $others }
+records-or-else = {"; oder "}
 records-other-scale = die Geschwindigkeit ist das { $gain }-Fache der Ableitung des Wegs. Einheiten und Kalibrierung beider prüfen, die Einheit der Zeit, und ob die Abtastung für die Bewegung schnell genug ist, { $advice }
 records-read-one-only = oder nur eines davon lesen: --ignore velocity (oder --ignore displacement)
-records-mm-not-m = Weg oder Geschwindigkeit ist in mm, wo die Kopfzeile m sagt
-records-cm-not-m = Weg oder Geschwindigkeit ist in cm, wo die Kopfzeile m sagt
-records-mm-not-cm = Weg oder Geschwindigkeit ist in mm, wo die Kopfzeile cm sagt
-records-inch-not-mm = eines davon ist in Zoll, wo die Kopfzeile mm sagt, oder umgekehrt
-records-inch-not-m = eines davon ist in Zoll, wo die Kopfzeile m sagt, oder umgekehrt
 
 ## What reading says of records. Channels.
 
@@ -1395,6 +1396,8 @@ identification-needs-side-forces = dazu braucht es langsame Versuche bei zwei od
 identification-taken-up = eine freie FV-Kurve nimmt einen v²-Anteil auf
 identification-held = { $name } ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf { $value } gehalten
 identification-at-bound = { $name } stieß bei { $value } an die Grenze seines Bereichs: die Daten verlangen etwas, was dieses Element nicht kann
+identification-rare-value = { $name } ist { $value }, außerhalb dessen, was Dämpfer und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
+identification-rare-assumed = { $name } ist mit { $value } angenommen, außerhalb dessen, was Dämpfer und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
 
 ## What a fit says. What was known of the damper beside its records.
 
@@ -1404,11 +1407,14 @@ identification-contradicts = { $name } widerspricht den Maßen des Dämpfers: { 
 ## What a fit says. What the campaign cannot show.
 
 identification-one-rate = alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei einem Drittel der Frequenz würde sie unterscheiden
+identification-one-test = in einem einzigen Versuch sehen ein später Kraftkanal und ein weicher Reihenpfad gleich aus: der Kanal gilt als unverzögert; derselbe Hub bei einem Drittel der Frequenz würde sie unterscheiden
 identification-roads = { $roads } lange Versuche ohne Zyklen werden in { $stretches } Abschnitten von je { $seconds } s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt
 identification-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
-identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } { $unit }): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
+identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
 identification-one-amplitude = alle Versuche haben fast dieselbe Amplitude: Feder und Reihensteifigkeit beruhen allein auf der Frequenz
-identification-one-fast-amplitude = alle Versuche über { $velocity } { $unit } haben fast dieselbe Amplitude: Die Reihensteifigkeit beruht allein auf der Frequenz
+identification-one-amplitude-of-spring = alle Versuche haben fast dieselbe Amplitude: die Feder beruht allein auf der Frequenz
+identification-one-amplitude-of-series = alle Versuche haben fast dieselbe Amplitude: die Reihensteifigkeit beruht allein auf der Frequenz
+identification-one-fast-amplitude = alle Versuche über { $velocity } mm/s haben fast dieselbe Amplitude: Die Reihensteifigkeit beruht allein auf der Frequenz
 identification-zero-moves = das Modell lässt von jedem Versuch eine andere gleichbleibende Kraft übrig, von { $low } bis { $high } N: der Nullpunkt des Kraftkanals wandert von Versuch zu Versuch, oder das Gas erwärmt sich. Vor jedem Versuch nullen oder mit einer durchlaufenden Uhr messen, mit der eine Drift gefunden wird; Reibung und Gaskraft sind nicht verlässlich
 
 ## What a fit says. What the measurement is off by.

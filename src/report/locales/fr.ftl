@@ -1083,7 +1083,10 @@ records-spikes = pics de la voie { $channel } remplacés par des droites, le pre
 
 ## What reading says of records. Motion.
 
-records-consistent = la vitesse vaut { $gain } fois la dérivée du déplacement et la suit de { $lag } ms ({ $percent } % de la variance du déplacement inexpliqués)
+records-consistent = la vitesse vaut { $gain } fois la dérivée du déplacement et { $lag } ({ $percent } % de la variance du déplacement inexpliqués)
+records-no-lag = n’a pas de retard
+records-lags = la suit de { $lag } ms
+records-leads = la devance de { $lag } ms
 records-differentiated = vitesse dérivée du déplacement par cubiques locales sur { $points } échantillons ({ $window } s), sans déphasage, −3 dB à { $frequency } Hz{ $shorter }
 records-shorter = { " " }; sur moins là où le mouvement tourne dedans, { $percent } % des échantillons
 records-integrated = déplacement intégré de la vitesse, à partir de { $start } mm ; décalage de vitesse de { $offset } mm/s retiré, soit une dérive de { $drift } mm sur la mesure ({ $basis })
@@ -1271,9 +1274,9 @@ records-exchanged = déplacement et force semblent échangés dans { $count } es
 records-exchanged-feed = { $exchanged } ; lu ainsi, l’amortisseur fournirait de l’énergie au banc. Donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et --unit là où les unités suivent. Si seuls quelques fichiers sont concernés, placez-les dans un dossier à part, dites-le là avec dashpot import-profile, et nommez les deux dossiers
 records-exchanged-doubt = { $exchanged }. Si c’est le cas, rien de ce qui suit n’est juste : donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et retirez --flip
 records-or-late = . Ou bien { $late } ; donner alors { $option }
-records-flip-motion = l’effort à l’arrêt est une poussée comptée négative, comme en donne le gaz quand la traction est positive ; déplacement et vitesse sont donc positifs en compression. Donner --flip motion (ou corriger l’export)
-records-flip-force = l’effort à l’arrêt est une poussée comptée positive, comme en donne le gaz quand la compression est positive ; déplacement et vitesse sont donc positifs en détente. Donner --flip force (ou corriger l’export)
-records-flip-either = l’effort à l’arrêt est trop petit pour dire lequel des deux. Donner --flip force si les efforts de compression sont positifs, --flip motion si ce sont les mouvements (ou corriger l’export)
+records-flip-motion = { $standstill } ; déplacement et vitesse sont alors positifs en compression. Donner --flip motion (ou corriger l’export)
+records-flip-force = { $standstill } ; déplacement et vitesse sont alors positifs en détente. Donner --flip force (ou corriger l’export)
+records-flip-either = { $standstill }. Donner --flip force si les efforts de compression sont positifs, --flip motion si ce sont les mouvements (ou corriger l’export)
 
 ## What reading says of records. A motion to be imposed.
 
@@ -1327,14 +1330,12 @@ records-behind = après
 records-ahead = avant
 records-other-motion = l’intégrale de la vitesse n’explique que { $percent } % du déplacement ; ils n’appartiennent pas au même mouvement. Vérifier que les bonnes colonnes sont lues (--column velocity="heading"), { $advice }
 records-opposite-signs = ils ont des signes opposés (la vitesse vaut { $gain } fois la dérivée du déplacement). Inverser l’un d’eux dans l’export, { $advice }
-records-unit-slip = la vitesse vaut { $gain } fois la dérivée du déplacement : une erreur d’unité, { $slip }. Donner l’unité (--unit velocity=mm/s, --unit displacement=mm), { $advice }
+records-unit-slip = la vitesse vaut { $gain } fois la dérivée du déplacement : une erreur d’unité. Le plus probable : { $likely }{ $others }
+records-unit-candidate = l’unité de la voie { $channel } est { $likely } là où { $read } a été lu, pour un essai de { $amplitude } mm à { $frequency } Hz et { $velocity } mm/s : donner { $option }
+records-otherwise = . Sinon, { $others }
+records-or-else = {" ; ou "}
 records-other-scale = la vitesse vaut { $gain } fois la dérivée du déplacement. Vérifier les unités et l’étalonnage des deux, l’unité de temps, et si l’échantillonnage est assez rapide pour le mouvement, { $advice }
 records-read-one-only = ou n’en lire qu’un : --ignore velocity (ou --ignore displacement)
-records-mm-not-m = le déplacement ou la vitesse est en mm là où l’en-tête dit m
-records-cm-not-m = le déplacement ou la vitesse est en cm là où l’en-tête dit m
-records-mm-not-cm = le déplacement ou la vitesse est en mm là où l’en-tête dit cm
-records-inch-not-mm = l’un des deux est en pouces là où l’en-tête dit mm, ou l’inverse
-records-inch-not-m = l’un des deux est en pouces là où l’en-tête dit m, ou l’inverse
 
 ## What reading says of records. Channels.
 
@@ -1395,6 +1396,8 @@ identification-needs-side-forces = il faut des essais lents à deux efforts lat�
 identification-taken-up = une courbe FV libre absorbe un terme en v²
 identification-held = { $name } n’a pu être identifié de ces données ; sa valeur est tenue à { $value }
 identification-at-bound = { $name } a atteint la borne de son domaine à { $value } : les données demandent ce que cet élément ne peut faire
+identification-rare-value = { $name } vaut { $value }, hors de ce que montrent amortisseurs et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
+identification-rare-assumed = { $name } est supposé à { $value }, hors de ce que montrent amortisseurs et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
 
 ## What a fit says. What was known of the damper beside its records.
 
@@ -1404,11 +1407,14 @@ identification-contradicts = { $name } contredit les dimensions de l’amortisse
 ## What a fit says. What the campaign cannot show.
 
 identification-one-rate = tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
+identification-one-test = dans un seul essai, une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
 identification-roads = { $roads } longs essais sans cycles sont calculés en { $stretches } tronçons de { $seconds } s, choisis pour parcourir tous leurs déplacements et toutes leurs vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
 identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
-identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } { $unit }) : le frottement est tiré des parties lentes d’essais plus rapides
+identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
 identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
-identification-one-fast-amplitude = tous les essais à plus de { $velocity } { $unit } ont presque la même amplitude : la raideur série ne repose que sur la fréquence
+identification-one-amplitude-of-spring = tous les essais ont presque la même amplitude : le ressort ne repose que sur la fréquence
+identification-one-amplitude-of-series = tous les essais ont presque la même amplitude : la raideur série ne repose que sur la fréquence
+identification-one-fast-amplitude = tous les essais à plus de { $velocity } mm/s ont presque la même amplitude : la raideur série ne repose que sur la fréquence
 identification-zero-moves = le modèle laisse de chaque essai un autre effort constant, de { $low } à { $high } N : le zéro de la voie d’effort bouge d’un essai à l’autre, ou le gaz s’échauffe. Faire le zéro avant chaque essai, ou mesurer sur une seule horloge, qui permet de trouver une dérive ; frottement et effort du gaz ne sont pas fiables
 
 ## What a fit says. What the measurement is off by.

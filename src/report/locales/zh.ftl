@@ -1071,7 +1071,10 @@ records-spikes = { $channel }通道 { $spikes } 个尖峰共 { $count } 个采�
 
 ## What reading says of records. Motion.
 
-records-consistent = 速度为位移导数的 { $gain } 倍，滞后 { $lag } ms（位移方差有 { $percent } % 未被解释）
+records-consistent = 速度为位移导数的 { $gain } 倍，{ $lag }（位移方差有 { $percent } % 未被解释）
+records-no-lag = 无滞后
+records-lags = 滞后 { $lag } ms
+records-leads = 超前 { $lag } ms
 records-differentiated = 速度由位移经局部三次多项式求导得到，窗口 { $points } 个采样（{ $window } s），零相位，−3 dB 在 { $frequency } Hz{ $shorter }
 records-shorter = ；运动在窗口内转折处窗口更短，占采样的 { $percent } %
 records-integrated = 位移由速度积分得到，起点 { $start } mm；已去除速度零偏 { $offset } mm/s，相当于整个记录漂移 { $drift } mm（{ $basis }）
@@ -1259,9 +1262,9 @@ records-exchanged = { $all } 个试验中有 { $count } 个的位移与力看来
 records-exchanged-feed = { $exchanged }；这样读取时减振器会向试验台输出能量。请把 --column displacement="列标题" 与 --column force="列标题" 对调给出，单位也随之互换时再给出 --unit。若只有部分文件如此，请把它们放入单独的文件夹，在那里用 dashpot import-profile 注明，并同时给出两个文件夹
 records-exchanged-doubt = { $exchanged }。若确实如此，以下内容均不成立：请把 --column displacement="列标题" 与 --column force="列标题" 对调给出，并去掉 --flip
 records-or-late = 。也可能是{ $late }；此时请给出 { $option }
-records-flip-motion = 静止时的力为推力且记为负，即以拉为正时气体所产生的力；因此位移和速度以压缩为正。请给出 --flip motion（或更正导出）
-records-flip-force = 静止时的力为推力且记为正，即以压为正时气体所产生的力；因此位移和速度以复原为正。请给出 --flip force（或更正导出）
-records-flip-either = 静止时的力太小，无法判断是哪一个。若压缩力记为正请给出 --flip force，若压缩运动记为正请给出 --flip motion（或更正导出）
+records-flip-motion = { $standstill }；因此位移和速度以压缩为正。请给出 --flip motion（或更正导出）
+records-flip-force = { $standstill }；因此位移和速度以复原为正。请给出 --flip force（或更正导出）
+records-flip-either = { $standstill }。若压缩力记为正请给出 --flip force，若压缩运动记为正请给出 --flip motion（或更正导出）
 
 ## What reading says of records. A motion to be imposed.
 
@@ -1315,14 +1318,12 @@ records-behind = 滞后于
 records-ahead = 超前于
 records-other-motion = 速度的积分只能解释 { $percent } % 的位移；它们不属于同一运动。请检查读取的列是否正确（--column velocity="heading"），{ $advice }
 records-opposite-signs = 二者符号相反（速度为位移导数的 { $gain } 倍）。请在导出时反转其中之一，{ $advice }
-records-unit-slip = 速度为位移导数的 { $gain } 倍：单位有误，{ $slip }。请给出单位（--unit velocity=mm/s，--unit displacement=mm），{ $advice }
+records-unit-slip = 速度为位移导数的 { $gain } 倍，单位有误。最可能的是{ $likely }{ $others }
+records-unit-candidate = { $channel }通道的单位为 { $likely }，而读取为 { $read }，由此试验为 { $frequency } Hz、{ $amplitude } mm、{ $velocity } mm/s：请给出 { $option }
+records-otherwise = 。否则{ $others }
+records-or-else = {"；或"}
 records-other-scale = 速度为位移导数的 { $gain } 倍。请检查二者的单位和标定、时间单位，以及采样对该运动是否足够快，{ $advice }
 records-read-one-only = 或只读取其中之一：--ignore velocity（或 --ignore displacement）
-records-mm-not-m = 位移或速度的单位是 mm，而表头写的是 m
-records-cm-not-m = 位移或速度的单位是 cm，而表头写的是 m
-records-mm-not-cm = 位移或速度的单位是 mm，而表头写的是 cm
-records-inch-not-mm = 其中之一以英寸为单位，而表头写的是 mm，或相反
-records-inch-not-m = 其中之一以英寸为单位，而表头写的是 m，或相反
 
 ## What reading says of records. Channels.
 
@@ -1383,6 +1384,8 @@ identification-needs-side-forces = 需要在两种或更多侧向力下的慢速
 identification-taken-up = 自由的 FV 曲线会吸收 v² 项
 identification-held = { $name } 无法由这些数据辨识；固定为 { $value }
 identification-at-bound = { $name } 到达其范围边界 { $value }：数据要求的是该元件做不到的
+identification-rare-value = { $name } 为 { $value }，超出减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
+identification-rare-assumed = { $name } 假定为 { $value }，超出减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
 
 ## What a fit says. What was known of the damper beside its records.
 
@@ -1392,11 +1395,14 @@ identification-contradicts = { $name } 与减振器的尺寸矛盾：{ $value } 
 ## What a fit says. What the campaign cannot show.
 
 identification-one-rate = 所有试验的换向快慢几乎相同，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三分之一频率做同一行程的试验可将二者区分
+identification-one-test = 在单个试验中，力通道滞后与串联路径偏软看起来一样：认为该通道没有滞后；以三分之一频率做同一行程的试验可将二者区分
 identification-roads = { $roads } 个没有循环的长试验各以 { $stretches } 段、每段 { $seconds } s 计算，所选各段经过其全部位移和速度；全记录误差计入每个采样点
 identification-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
-identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } { $unit }）：摩擦取自较快试验的慢速部分
+identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } mm/s）：摩擦取自较快试验的慢速部分
 identification-one-amplitude = 所有试验的振幅几乎相同：弹簧和串联刚度仅由频率确定
-identification-one-fast-amplitude = 所有快于 { $velocity } { $unit } 的试验振幅几乎相同：串联刚度仅由频率确定
+identification-one-amplitude-of-spring = 所有试验的振幅几乎相同：弹簧仅由频率确定
+identification-one-amplitude-of-series = 所有试验的振幅几乎相同：串联刚度仅由频率确定
+identification-one-fast-amplitude = 所有快于 { $velocity } mm/s 的试验振幅几乎相同：串联刚度仅由频率确定
 identification-zero-moves = 模型在各试验中剩下各不相同的恒定力，从 { $low } 到 { $high } N：力通道的零点在试验之间移动，或气体升温。请在每次试验前调零，或用同一时钟连续测量以便找出漂移；摩擦力和气体力不可信
 
 ## What a fit says. What the measurement is off by.

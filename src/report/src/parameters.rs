@@ -146,8 +146,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
 pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
     let id = &model.identification;
     let mut rows = Vec::new();
-    let on = |element| model.params.is_on(element);
-    for row in parameter::table().filter(|row| row.element().is_some_and(on)) {
+    for row in parameter::table().filter(|row| row.element().is_some() && model.params.counts(row)) {
         let p = row.parameter;
         let values = model.params.get(&row);
         let interval = id.intervals.get(p.name);
@@ -170,7 +169,12 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     unit: p.unit.to_owned(),
                     low,
                     high,
-                    source: id.sources.get(p.name).map_or_else(String::new, |kept| words.say_kept(kept, &id.messages)),
+                    // A value that no test determines comes from none.
+                    source: id
+                        .sources
+                        .get(p.name)
+                        .filter(|_| !missing)
+                        .map_or_else(String::new, |kept| words.say_kept(kept, &id.messages)),
                     remark: Remark::Meaning(p.name),
                     assumed: missing.then(|| assumed(p.name, values[0], &model.params, None, words)),
                 });
@@ -209,7 +213,7 @@ pub fn of_fit(fit: &Fit, words: &Words) -> Vec<ParameterRow> {
         name: e.index.map_or_else(|| e.name.to_owned(), |k| format!("{}[{k}]", e.name)),
         // A parameter that the records do not determine has no value.
         value: if e.standing == Standing::NotIdentified { f64::NAN } else { e.value },
-        source: words.say(&e.from),
+        source: if e.standing == Standing::NotIdentified { String::new() } else { words.say(&e.from) },
         assumed: assumed_of_damper(e, (&fit.params, &fit.priors), words),
         ..of_estimate(e)
     };
@@ -221,6 +225,7 @@ pub fn of_diagnosis(found: &Diagnosis, words: &Words) -> Vec<ParameterRow> {
     let added = |name: &str| found.findings.iter().find(|f| !f.of_the_rig && f.parameters.contains_key(name));
     let row = |e: &Estimate| ParameterRow {
         source: match added(e.name) {
+            _ if e.standing == Standing::NotIdentified => String::new(),
             Some(finding) => words.fill(words.source_added, &[("effect", finding.effect)]),
             None => words.source_refitted.to_owned(),
         },
@@ -264,10 +269,27 @@ pub fn assumed_of_damper(e: &Estimate, of: (&Params, &PriorSet), words: &Words) 
 
 #[cfg(test)]
 mod tests {
-    use super::assumed;
+    use super::{assumed, of_model};
     use crate::words::EN;
     use dashpot_core::number;
     use dashpot_core::{Params, element};
+    use dashpot_identification::model_file::of_text;
+
+    #[test]
+    fn only_identified_numbers_have_source_tests_and_only_acting_ones_are_listed() {
+        let text = "format = 1\nelements = [\"fv_curve\", \"gas_preload\", \"coulomb_friction\"]\nfv_rebound_c1 = 5393\n\
+             gas_force = 99\ncoulomb_force = 42\n[identification]\nnot_identified = [\"gas_force\"]\n\
+             [identification.intervals]\ncoulomb_force = [40, 44]\n\
+             [identification.sources]\ngas_force = \"small strokes 63 %\"\ncoulomb_force = \"small strokes 63 %\"\n";
+        let rows = of_model(&of_text(text, "m.toml".as_ref()).unwrap(), &EN);
+        let source = |name: &str| rows.iter().find(|row| row.name == name).map(|row| row.source.as_str());
+        assert_eq!(source("coulomb_force"), Some("small strokes 63 %"));
+        assert_eq!(source("gas_force"), Some(""));
+        assert_eq!(source("fv_rebound_c1"), None);
+        let piecewise = text.replace("fv_rebound_c1", "fv_form = \"piecewise\"\nfv_rebound_c1");
+        let rows = of_model(&of_text(&piecewise, "m.toml".as_ref()).unwrap(), &EN);
+        assert!(rows.iter().any(|row| row.name == "fv_rebound_c1"));
+    }
 
     #[test]
     fn what_was_assumed_has_its_source() {

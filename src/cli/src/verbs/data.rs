@@ -61,7 +61,7 @@ struct SensorArgs {
     /// Factor on the force after subtraction of its zero, or on another channel, such as displacement=1.02
     #[arg(long, value_name = "[CHANNEL=]FACTOR")]
     gain: Vec<String>,
-    /// Mass between load cell and damper that moves with the damper's end (eye, clamp, joint), kg. Its inertia force is subtracted
+    /// Mass between load cell and damper that moves with the damper's end (eye, clamp, joint), kg, 0 or more. Its inertia force is subtracted
     #[arg(long, value_name = "KG", default_value_t = 0.0, allow_negative_numbers = true)]
     rig_mass: f64,
 }

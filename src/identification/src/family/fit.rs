@@ -8,11 +8,12 @@ use super::setting_labels;
 use super::settings::{FamilyError, SettingAxis, SettingRecords, by_setting, split_changing};
 use crate::expected::{contradiction, expectation, is_contradiction};
 use crate::fit::{
-    About, check_elements, check_motion, coverage_notes, frame, has_compliance, of_number, plain_curve,
-    search_structure, with_free_measurement,
+    About, check_elements, check_motion, coverage_notes, has_compliance, of_number, plain_curve, search_structure,
+    with_free_measurement,
 };
 use crate::intervals::{Estimate, Known, Standing, sources};
 use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
+use crate::rare_values::describe_rare;
 use crate::{FitOptions, Stage, phrases};
 use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
@@ -200,13 +201,20 @@ pub fn fit_family(
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(notes_of_priors(&options.priors, &estimates, &axis));
+    notes.extend(estimates.iter().filter_map(|of| {
+        let said = describe_rare(&of.estimate, &damper.params, &options.priors)?;
+        Some(match of.setting {
+            Some(value) => at_setting(&axis, value, said),
+            None => said,
+        })
+    }));
     let doubts = setting_labels::notes(&best, &damper, &axis, &sorted, &settings);
     let has_doubtful_labels = !doubts.is_empty();
     notes.extend(doubts);
     notes.extend(worse_than_alone(&reports, &axis));
     notes.extend(selection);
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name)));
-    notes.extend(coverage_notes(&segments(&constant), &frame(&constant)));
+    notes.extend(coverage_notes(&segments(&constant), &damper.params));
     notes.extend(measured.iter().map(Measured::in_words));
     let scored: usize = all.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();
     progress(Stage { done: 1.0, text: phrases::DONE });

@@ -199,7 +199,7 @@ class Campaign(Sequence[Record]):
         :param displacement_zero_m: reading of the displacement channel at zero, m, in the file's direction. It is subtracted.
         :param gain: factor of the force, applied after the subtraction of ``force_zero_n``.
         :param gains: factors of other channels: ``{"displacement": 1.02}``.
-        :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg. Its inertia force is subtracted.
+        :param rig_mass_kg: mass between load cell and damper that moves with the damper's end, kg, 0 or more. Its inertia force is subtracted.
         :param sample_rate_hz: sample rate of files without a column of time, Hz.
         :param dates: order of day and month in dates such as 3/11/2026, ``"day-first"`` or ``"month-first"``; determined from the files
             if not given.

@@ -63,7 +63,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     calibrate(&mut samples, &options);
     if let (Some(displacement), Some(velocity)) = (&samples.displacement, &samples.velocity)
         && let Some(agreement) = consistency::compare(&samples.time, displacement, velocity)
-        && let Some(cause) = consistency::contradiction(&agreement)
+        && let Some(cause) = consistency::contradiction(&agreement, &samples.units)
     {
         return Err(RecordError::Contradiction { at: samples.at, cause });
     }

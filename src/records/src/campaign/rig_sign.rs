@@ -10,7 +10,7 @@ use crate::messages::phrases;
 use crate::options::Positive;
 use crate::tuning::rig_sign::OWN;
 use crate::tuning::sign::UNSURE;
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Reverses campaigns whose sign differs from the most certain one, and adds a note. Campaigns with a stated direction
 /// stay unchanged. Campaigns with an opposite but certain direction only get a note.
@@ -19,7 +19,7 @@ pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
     else {
         return;
     };
-    let percent = |confidence: f64| format!("{:.0}", 100.0 * confidence);
+    let percent = |confidence: f64| format_decimals(100.0 * confidence, 0);
     let word = |positive: Positive| positive.name();
     for campaign in campaigns {
         let own = campaign.sign.clone();

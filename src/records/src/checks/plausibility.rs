@@ -15,7 +15,7 @@ use crate::tuning::plausibility::{
     HIGHEST_SPEED, LARGEST_AMPLITUDE, LARGEST_FORCE, LEAST_FORCE, NOISE_RANGE, NOISE_SPREAD, SMALL_AMPLITUDE,
     SMALL_FORCE, SMALL_SPEED, STANDSTILL,
 };
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Rejects a record with an amplitude, velocity or force that no damper reaches.
 pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), RecordError> {
@@ -30,21 +30,21 @@ pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), Re
     let motion = [Channel::Displacement, Channel::Velocity, Channel::Time];
     if record.amplitude > LARGEST_AMPLITUDE {
         return absurd(
-            Sentence::from(phrases::AN_AMPLITUDE).with("amplitude", format!("{:.4}", record.amplitude)),
+            Sentence::from(phrases::AN_AMPLITUDE).with("amplitude", format_decimals(record.amplitude, 4)),
             &motion,
             phrases::SAY_MM,
         );
     }
     if record.peak_velocity > HIGHEST_SPEED {
         return absurd(
-            Sentence::from(phrases::A_VELOCITY).with("velocity", format!("{:.0}", 1e3 * record.peak_velocity)),
+            Sentence::from(phrases::A_VELOCITY).with("velocity", format_decimals(1e3 * record.peak_velocity, 0)),
             &motion,
             phrases::CHECK_MOTION_UNITS,
         );
     }
     if force > LARGEST_FORCE {
         return absurd(
-            Sentence::from(phrases::A_FORCE).with("force", format!("{force:.0}")),
+            Sentence::from(phrases::A_FORCE).with("force", format_decimals(force, 0)),
             &[Channel::Force],
             phrases::SAY_N,
         );
@@ -100,13 +100,13 @@ pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note
         amplitude,
         SMALL_AMPLITUDE,
         Sentence::from(phrases::SMALL_AMPLITUDE)
-            .with("amplitude", format!("{:.4}", amplitude / frame.unit.to_si(1.0)))
+            .with("amplitude", format_decimals(amplitude / frame.unit.to_si(1.0), 4))
             .with("unit", frame.unit.name()),
     );
-    let velocity = format!("{:.3}", speed / frame.speed_unit().to_si(1.0));
+    let velocity = format_decimals(speed / frame.speed_unit().to_si(1.0), 3);
     let slow = Sentence::from(phrases::SLOW).with("velocity", velocity).with("unit", frame.speed_unit().name());
     small(speed, SMALL_SPEED, slow);
-    small(force, SMALL_FORCE, Sentence::from(phrases::SMALL_FORCE).with("force", format!("{force:.3}")));
+    small(force, SMALL_FORCE, Sentence::from(phrases::SMALL_FORCE).with("force", format_decimals(force, 3)));
     let mut known: HashMap<String, &Record> = HashMap::with_capacity(records.len());
     for record in records {
         let twin = *known.entry(record.fingerprint()).or_insert(record);

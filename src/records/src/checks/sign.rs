@@ -28,7 +28,7 @@ use crate::tuning::delay::UNCLEAR;
 use crate::tuning::sign::{
     FAST, FEWEST, HYSTERESIS, MOST_BY_SHAPE, PRIOR_RATIO, RATIO_SCATTER, SLOW, SUREST, TARED, UNSURE,
 };
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Result of determining the positive direction of the files.
 #[derive(Debug, Clone, Serialize, Deserialize)]
@@ -153,9 +153,9 @@ fn lateness(
     }
     let describe = |late: &Delay| {
         Sentence::from(phrases::LATE)
-            .with("delay", format!("{:.1}", 1e3 * late.seconds))
-            .with("left", format!("{:.1}", 100.0 * late.unexplained))
-            .with("recorded", format!("{:.1}", 100.0 * late.unexplained_as_recorded.min(1.0)))
+            .with("delay", format_decimals(1e3 * late.seconds, 1))
+            .with("left", format_decimals(100.0 * late.unexplained, 1))
+            .with("recorded", format_decimals(100.0 * late.unexplained_as_recorded.min(1.0), 1))
     };
     let flag = |late: &Delay| format!("--delay {:.4}", options.delay_s + late.seconds);
     let late = if feeding.is_empty() {
@@ -323,6 +323,32 @@ fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     libm::log(tempered(tension) / tempered(1.0 - tension))
 }
 
+/// Logarithm of the odds from which the force at standstill speaks for a direction of the force. The value is a choice:
+/// odds of 2.7 to one.
+const CLEAR_GAS: f64 = 1.0;
+
+/// Returns the positive direction of the force for which the force at standstill and its uncertainty, N, speak.
+/// Whether motion and force have consistent signs makes no difference.
+fn positive_by_gas(standstill: Option<(f64, f64)>) -> Option<Positive> {
+    let odds = standstill.map_or(0.0, |(force, uncertainty)| gas_odds(force, uncertainty));
+    let positive = if odds > 0.0 { Positive::Rebound } else { Positive::Compression };
+    (odds.abs() > CLEAR_GAS).then_some(positive)
+}
+
+/// Formats the force at standstill, its uncertainty, and the direction for which it speaks.
+fn describe_standstill(standstill: Option<(f64, f64)>) -> Sentence {
+    let Some((force, uncertainty)) = standstill else { return phrases::NO_STANDSTILL.into() };
+    let verdict = match positive_by_gas(standstill) {
+        Some(Positive::Rebound) => phrases::SPEAKS_FOR_TENSION,
+        Some(Positive::Compression) => phrases::SPEAKS_FOR_PUSH,
+        None => phrases::TOO_SMALL_TO_TELL,
+    };
+    Sentence::from(phrases::STANDSTILL)
+        .with("force", signed(force))
+        .with("error", newtons(uncertainty, 0))
+        .with_sentence("verdict", verdict)
+}
+
 /// Returns the natural logarithm of the ratio of damping forces at positive and negative velocity. A damping force is
 /// the 95 % quantile of the absolute deviation from the force at standstill, N. Returns `None` for fewer than ten
 /// samples in a direction.
@@ -345,7 +371,7 @@ fn told_exchanged(evidence: &[Evidence], exchanged: &[(usize, Overtones)]) -> Se
     let names: Vec<&Evidence> = exchanged.iter().map(|(i, _)| &evidence[*i]).collect();
     let clearest = exchanged.iter().max_by(|a, b| a.1.displacement.total_cmp(&b.1.displacement));
     let (shown, overtones) = clearest.map_or(("", None), |(i, o)| (evidence[*i].name.as_str(), Some(o)));
-    let percent = |share: Option<f64>| format!("{:.1}", 100.0 * share.unwrap_or(0.0));
+    let percent = |share: Option<f64>| format_decimals(100.0 * share.unwrap_or(0.0), 1);
     Sentence::from(phrases::EXCHANGED)
         .with("count", exchanged.len())
         .with("all", evidence.len())
@@ -389,17 +415,16 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
     }
     // All tests feed energy, so force and motion have opposite signs. The gas force may reveal which of the two is
     // wrong.
-    let tension =
-        standstill.filter(|(force, uncertainty)| force.abs() > 2.0 * uncertainty).map(|(force, _)| force < 0.0);
-    let culprit = match tension {
-        Some(true) => phrases::FLIP_MOTION,
-        Some(false) => phrases::FLIP_FORCE,
+    let culprit = match positive_by_gas(standstill) {
+        Some(Positive::Rebound) => phrases::FLIP_MOTION,
+        Some(Positive::Compression) => phrases::FLIP_FORCE,
         None => phrases::FLIP_EITHER,
     };
+    let culprit = Sentence::from(culprit).with_sentence("standstill", describe_standstill(standstill));
     let powers: Vec<f64> = feeding.iter().map(|e| e.power).collect();
     let cause = Sentence::from(phrases::ALL_FEED)
         .with("count", feeding.len())
-        .with("correlation", format!("{:.2}", median(&mut powers.clone())))
+        .with("correlation", format_decimals(median(&mut powers.clone()), 2))
         .with_sentence("culprit", culprit)
         .with_any("also", also);
     RecordError::FeedsEnergy { cause, tests }
@@ -414,22 +439,7 @@ fn direction(
     let mut reasons = Vec::new();
     // Positive log odds favor rebound positive.
     let gas = standstill.map_or(0.0, |(force, uncertainty)| gas_odds(force, uncertainty));
-    match standstill {
-        Some((force, uncertainty)) => {
-            let verdict = match gas {
-                g if g > 1.0 => phrases::SPEAKS_FOR_TENSION,
-                g if g < -1.0 => phrases::SPEAKS_FOR_PUSH,
-                _ => phrases::TOO_SMALL_TO_TELL,
-            };
-            reasons.push(
-                Sentence::from(phrases::STANDSTILL)
-                    .with("force", signed(force))
-                    .with("error", newtons(uncertainty, 0))
-                    .with_sentence("verdict", verdict),
-            );
-        }
-        None => reasons.push(phrases::NO_STANDSTILL.into()),
-    }
+    reasons.push(describe_standstill(standstill));
     let fastest = evidence.iter().map(|e| e.peak_velocity).fold(0.0, f64::max);
     let mut ratios: Vec<f64> =
         evidence.iter().filter(|e| e.peak_velocity >= 0.5 * fastest).filter_map(|e| e.asymmetry).collect();
@@ -449,12 +459,12 @@ fn direction(
             _ => phrases::TELLS_NOTHING,
         };
         let said = Sentence::from(phrases::ASYMMETRY)
-            .with("ratio", format!("{:.2}", libm::exp(ratio)))
-            .with("error", format!("{:.1}", libm::exp(error)))
+            .with("ratio", format_decimals(libm::exp(ratio), 2))
+            .with("error", format_decimals(libm::exp(error), 1))
             .with_sentence("verdict", verdict);
         reasons.push(said);
     }
-    if gas.abs() > 1.0 && shape.abs() > 0.3 && gas.signum() != shape.signum() {
+    if gas.abs() > CLEAR_GAS && shape.abs() > 0.3 && gas.signum() != shape.signum() {
         reasons.push(phrases::CONTRADICT.into());
     }
     if !evidence.iter().any(|e| e.power > UNCLEAR) {
@@ -467,7 +477,7 @@ fn direction(
     if options.positive.is_none() && sure < UNSURE {
         let text = Sentence::from(phrases::SIGN_UNSURE)
             .with_word("direction", word(found))
-            .with("percent", format!("{:.0}", 100.0 * sure))
+            .with("percent", format_decimals(100.0 * sure, 0))
             .with_list("reasons", reasons.clone(), phrases::SEMICOLON)
             .with("option", format!("--positive {}", found.name()));
         notes.push(Note { kind: "sign_unsure", text });
@@ -613,6 +623,23 @@ mod tests {
         }
         let error = settled(campaign(-1.0, 1.0, 0.0), &Options::default()).unwrap_err().to_string();
         assert!(error.contains("too small to tell"), "{error}");
+    }
+
+    #[test]
+    fn a_force_at_standstill_is_judged_alike_whether_or_not_the_damper_feeds_energy() {
+        let mut judged = Vec::new();
+        for preload in [-150.0, -60.0, -30.0, -15.0, -5.0, 0.0] {
+            let (finding, ..) = settled(campaign(1.0, 1.0, preload), &Options::default()).unwrap();
+            let is_clear = finding.reasons[0].to_string().contains("speaks for tension");
+            for (force, motion, flag) in [(-1.0, 1.0, "--flip force"), (1.0, -1.0, "--flip motion")] {
+                let error = settled(campaign(force, motion, preload), &Options::default()).unwrap_err().to_string();
+                assert!(error.contains("force at standstill is"), "{error}");
+                assert_eq!(error.contains(&format!("Give {flag} (or")), is_clear, "{preload}: {error}");
+                assert_eq!(error.contains("too small to tell"), !is_clear, "{preload}: {error}");
+            }
+            judged.push(is_clear);
+        }
+        assert!(judged.contains(&true) && judged.contains(&false));
     }
 
     /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same,

@@ -5,7 +5,7 @@ use crate::data::record::{Note, Record};
 use crate::messages::phrases;
 use crate::numbers::{median, range};
 use crate::tuning::truncated_test::{LAST, MOVING, OF_A_CYCLE, STROKE};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Adds notes about tests that contain less than a cycle and end while the damper moves.
 pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
@@ -16,8 +16,8 @@ pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
         if strokes < OF_A_CYCLE && last > MOVING * record.peak_velocity {
             let text = Sentence::from(phrases::TORN)
                 .with("test", &record.source)
-                .with("velocity", format!("{:.1}", 1e3 * last))
-                .with("peak", format!("{:.1}", 1e3 * record.peak_velocity));
+                .with("velocity", format_decimals(1e3 * last, 1))
+                .with("peak", format_decimals(1e3 * record.peak_velocity, 1));
             notes.push(Note { kind: "torn", text });
         }
     }

@@ -11,7 +11,7 @@ use crate::quantities::unit::Unit;
 use crate::tuning::unit_magnitude::{
     FASTEST, FOLLOWS, LONG, MOST_CURRENT, MOVING, RARELY, SHORTEST, SLOWEST, STIFFEST, WEAK, WEAKEST,
 };
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Rejects a campaign if its values indicate a unit that is wrong by a factor of a thousand. A unit given by the user
 /// counts as correct.
@@ -42,7 +42,7 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         });
     }
     if largest > MOST_CURRENT && !insisted(Channel::Current) && options.settings.name.is_none() {
-        let evidence = Sentence::from(phrases::TOO_MUCH_CURRENT).with("current", format!("{largest:.0}"));
+        let evidence = Sentence::from(phrases::TOO_MUCH_CURRENT).with("current", format_decimals(largest, 0));
         return slip(Channel::Current, Unit::Ampere, Unit::Milliampere, evidence);
     }
     let half = |r: &Record| 0.5 * range(&r.force);
@@ -53,9 +53,9 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         if let Some(quick) = records.iter().find(|r| r.frequency > FASTEST && r.amplitude > 1e-4) {
             let evidence = Sentence::from(phrases::TOO_QUICK)
                 .with("record", &quick.source)
-                .with("amplitude", format!("{:.2}", 1e3 * quick.amplitude))
-                .with("frequency", format!("{:.0}", quick.frequency))
-                .with("seconds", format!("{:.4}", seconds(quick)));
+                .with("amplitude", format_decimals(1e3 * quick.amplitude, 2))
+                .with("frequency", format_decimals(quick.frequency, 0))
+                .with("seconds", format_decimals(seconds(quick), 4));
             return slip(Channel::Time, Unit::Millisecond, Unit::Second, evidence);
         }
         let step = median(&mut records.iter().map(|r| sample_time(&r.time)).collect::<Vec<_>>());
@@ -63,18 +63,18 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         if fastest.peak_velocity < SLOWEST && step > RARELY && longest > LONG && strongest > WEAK {
             let evidence = Sentence::from(phrases::TOO_LONG)
                 .with("count", records.len())
-                .with("velocity", format!("{:.3}", 1e3 * fastest.peak_velocity))
-                .with("hours", format!("{:.1}", longest / 3600.0))
-                .with("step", format!("{step:.3}"));
+                .with("velocity", format_decimals(1e3 * fastest.peak_velocity, 3))
+                .with("hours", format_decimals(longest / 3600.0, 1))
+                .with("step", format_decimals(step, 3));
             return slip(Channel::Time, Unit::Second, Unit::Millisecond, evidence);
         }
     }
     let longest = records.iter().map(|r| r.amplitude).fold(0.0, f64::max);
     if !insisted(Channel::Displacement) && longest < SHORTEST && damping > STIFFEST && strongest > WEAK {
         let evidence = Sentence::from(phrases::TOO_STIFF)
-            .with("amplitude", format!("{:.4}", 1e3 * longest))
-            .with("force", format!("{:.0}", half(fastest)))
-            .with("velocity", format!("{:.3}", 1e3 * fastest.peak_velocity))
+            .with("amplitude", format_decimals(1e3 * longest, 4))
+            .with("force", format_decimals(half(fastest), 0))
+            .with("velocity", format_decimals(1e3 * fastest.peak_velocity, 3))
             .with("damping", format!("{damping:.1e}"));
         return slip(Channel::Displacement, Unit::Millimetre, Unit::Metre, evidence);
     }
@@ -83,11 +83,11 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
     if !insisted(Channel::Force) && is_weak && follows(fastest) {
         let evidence = Sentence::from(phrases::TOO_WEAK)
             .with("count", records.len())
-            .with("strongest", format!("{strongest:.3}"))
+            .with("strongest", format_decimals(strongest, 3))
             .with("test", &fastest.name)
-            .with("force", format!("{:.3}", half(fastest)))
-            .with("velocity", format!("{:.1}", 1e3 * fastest.peak_velocity))
-            .with("damping", format!("{damping:.2}"));
+            .with("force", format_decimals(half(fastest), 3))
+            .with("velocity", format_decimals(1e3 * fastest.peak_velocity, 1))
+            .with("damping", format_decimals(damping, 2));
         return slip(Channel::Force, Unit::Newton, Unit::Kilonewton, evidence);
     }
     Ok(())

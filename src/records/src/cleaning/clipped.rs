@@ -164,7 +164,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
                 .with_sentence("channel", channel.message())
                 .with("value", format_decimals(value, 5))
                 .with("unit", channel.si())
-                .with("percent", format!("{percent:.1}"))
+                .with("percent", format_decimals(percent, 1))
                 .with("line", line)
                 .with_sentence("other", other.message()),
         );
@@ -189,7 +189,7 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
         Sentence::from(phrases::CLIPPED_FORCE)
             .with("value", format_decimals(value, 1))
             .with("count", tops.count)
-            .with("percent", format!("{percent:.2}"))
+            .with("percent", format_decimals(percent, 2))
             .with("line", line),
     );
     Ok(tops.clipped)

@@ -7,7 +7,7 @@ use crate::data::samples::Samples;
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::signal::delayed_motion::DelayedMotion;
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Applies factors to channels other than the force, before displacement and velocity are compared. Without a velocity
 /// channel, the factor of the displacement also scales the velocity derived from it.
@@ -35,7 +35,7 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     }
     if options.displacement_zero_m != 0.0 {
         motion.displacement.iter_mut().for_each(|x| *x -= options.displacement_zero_m);
-        let zero = format!("{:.4}", 1e3 * options.displacement_zero_m);
+        let zero = format_decimals(1e3 * options.displacement_zero_m, 4);
         note(Sentence::from(phrases::DISPLACEMENT_ZERO).with("displacement", zero));
     }
     if options.flip_force {
@@ -59,7 +59,7 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
     }
     motion.stated_error.delay_s = options.delay_s;
     let given = if options.delay_s < 0.0 { phrases::EARLY_AS_GIVEN } else { phrases::LATE_AS_GIVEN };
-    note(Sentence::from(given).with("delay", format!("{:.3}", 1e3 * options.delay_s.abs())));
+    note(Sentence::from(given).with("delay", format_decimals(1e3 * options.delay_s.abs(), 3)));
     delay_motion(motion, options.delay_s)
 }
 

@@ -4,7 +4,7 @@ use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::messages::phrases;
 use crate::signal::noise;
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Adds notes about significant drifts of the cycle means of displacement and force. A drift is significant above 2 %
 /// of the stroke or 1 % of the force range, and above three times the scatter. Fewer than three cycles give no notes.
@@ -18,9 +18,9 @@ pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: 
         notes.push(Note {
             kind: "drift",
             text: Sentence::from(phrases::DISPLACEMENT_DRIFTS)
-                .with("drift", format!("{:.3}", 1e3 * shift))
+                .with("drift", format_decimals(1e3 * shift, 3))
                 .with("cycles", cycles.len())
-                .with("percent", format!("{:.1}", 100.0 * shift / stroke)),
+                .with("percent", format_decimals(100.0 * shift / stroke, 1)),
         });
     }
     let span = cycles.iter().flat_map(|c| &force[c.start..c.end]);
@@ -31,9 +31,9 @@ pub(crate) fn report(time: &[f64], displacement: &[f64], force: &[f64], cycles: 
         notes.push(Note {
             kind: "drift",
             text: Sentence::from(phrases::FORCE_DRIFTS)
-                .with("drift", format!("{shift:.1}"))
+                .with("drift", format_decimals(shift, 1))
                 .with("cycles", cycles.len())
-                .with("percent", format!("{:.1}", 100.0 * shift / (high - low))),
+                .with("percent", format_decimals(100.0 * shift / (high - low), 1)),
         });
     }
 }

@@ -22,7 +22,7 @@ mod trim;
 use crate::data::complete_motion::{Motion, steady};
 use crate::data::cycle::Cycle;
 use crate::data::measurement_error::MeasurementError;
-use crate::data::record::Record;
+use crate::data::record::{Note, Record};
 use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::error::RecordError;
@@ -32,7 +32,7 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::signal::measurement_correction::correct_inertia;
 use crate::signal::{consistency, derivative, noise};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 use crate::tuning::cleaning::{BY_CHANCE, FEWEST, WINDOW_NO_CYCLE, WINDOW_OF_CYCLE};
 pub(crate) use clipped::Reach;
@@ -80,9 +80,13 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     frozen::refuse(&samples)?;
     still::refuse_constant_force(&samples)?;
     let without_force = clipped::deal(&mut samples, reach)?;
-    outliers::replace(&mut samples);
+    let replaced = outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
+    let before = samples.notes.len();
     let CompleteMotion { displacement, velocity, cycles, velocity_window_s } = complete(&mut samples, options)?;
+    // The spikes of a velocity that is not used are irrelevant.
+    let used = replaced.into_iter().filter(|(channel, _)| *channel != Channel::Velocity || velocity_window_s == 0.0);
+    samples.notes.splice(before..before, used.map(|(_, text)| Note { kind: "outlier", text }));
     let (setting, setting_signal) = set_to::take(&mut samples, &options.settings);
     let mut motion = Motion {
         at: samples.at,
@@ -159,20 +163,20 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                         "late_velocity",
                         Sentence::from(phrases::VELOCITY_LATE)
                             .with("column", samples.heading(Channel::Velocity))
-                            .with("lag", format!("{:.2}", 1e3 * agreement.lag.abs()))
+                            .with("lag", format_decimals(1e3 * agreement.lag.abs(), 2))
                             .with_sentence("side", if agreement.lag > 0.0 { phrases::BEHIND } else { phrases::AHEAD }),
                     );
                     return Ok(differentiated(samples, displacement));
                 }
-                if let Some(cause) = consistency::contradiction(&agreement) {
+                if let Some(cause) = consistency::contradiction(&agreement, &samples.units) {
                     return Err(RecordError::Contradiction { at: samples.at.clone(), cause });
                 }
                 samples.note(
                     "consistency",
                     Sentence::from(phrases::CONSISTENT)
-                        .with("gain", format!("{:.4}", agreement.gain))
-                        .with("lag", format!("{:.2}", 1e3 * agreement.lag))
-                        .with("percent", format!("{:.3}", 100.0 * (1.0 - agreement.explained).max(0.0))),
+                        .with("gain", format_decimals(agreement.gain, 4))
+                        .with_sentence("lag", describe_lag(agreement.lag))
+                        .with("percent", format_decimals(100.0 * (1.0 - agreement.explained).max(0.0), 3)),
                 );
             }
             Ok(CompleteMotion { displacement, velocity, cycles, velocity_window_s: 0.0 })
@@ -185,6 +189,16 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
     }
 }
 
+/// Formats the lag of the velocity behind the derivative of the displacement, s. A lag that rounds to zero has no sign.
+fn describe_lag(lag: f64) -> Sentence {
+    let shown = format_decimals(1e3 * lag.abs(), 2);
+    match lag {
+        _ if shown == "0.00" => phrases::NO_LAG.into(),
+        lag if lag > 0.0 => Sentence::from(phrases::LAGS).with("lag", shown),
+        _ => Sentence::from(phrases::LEADS).with("lag", shown),
+    }
+}
+
 /// Derives the velocity from the displacement.
 fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMotion {
     let cycles = cycles::find(&samples.time, &displacement);
@@ -194,13 +208,13 @@ fn differentiated(samples: &mut Samples, displacement: Vec<f64>) -> CompleteMoti
     };
     let (velocity, filter) = derivative::differentiate(&samples.time, &displacement, window);
     let shorter = (filter.shorter > BY_CHANCE)
-        .then(|| Sentence::from(phrases::SHORTER).with("percent", format!("{:.0}", 100.0 * filter.shorter)));
+        .then(|| Sentence::from(phrases::SHORTER).with("percent", format_decimals(100.0 * filter.shorter, 0)));
     samples.note(
         "derived",
         Sentence::from(phrases::DIFFERENTIATED)
             .with("points", filter.points)
-            .with("window", format!("{:.4}", filter.window))
-            .with("frequency", format!("{:.1}", filter.bandwidth))
+            .with("window", format_decimals(filter.window, 4))
+            .with("frequency", format_decimals(filter.bandwidth, 1))
             .with_any("shorter", shorter),
     );
     CompleteMotion { displacement, velocity, cycles, velocity_window_s: filter.window }
@@ -231,9 +245,9 @@ fn integrated(samples: &mut Samples, mut velocity: Vec<f64>, initial: f64) -> Co
     samples.note(
         "derived",
         Sentence::from(phrases::INTEGRATED)
-            .with("start", format!("{:.2}", 1e3 * initial))
-            .with("offset", format!("{:.4}", 1e3 * removed))
-            .with("drift", format!("{:.2}", 1e3 * removed * seconds))
+            .with("start", format_decimals(1e3 * initial, 2))
+            .with("offset", format_decimals(1e3 * removed, 4))
+            .with("drift", format_decimals(1e3 * removed * seconds, 2))
             .with_sentence("basis", basis),
     );
     CompleteMotion { displacement, velocity, cycles, velocity_window_s: 0.0 }
@@ -333,6 +347,7 @@ mod tests {
     use crate::data::test_metadata::TestMetadata;
     use crate::error::Place;
     use crate::fixtures::SineTest;
+    use crate::quantities::unit::Unit;
 
     fn clean(samples: Samples, options: &Options) -> Result<Record, RecordError> {
         finish(repair(samples, options)?)
@@ -391,6 +406,39 @@ mod tests {
         let record = clean(samples, &Options::default()).unwrap();
         assert_eq!(record.cycles.len(), 4);
         assert!(record.notes.iter().any(|n| n.kind == "noisy_last_cycle"));
+    }
+
+    #[test]
+    fn a_lag_that_rounds_to_zero_has_no_sign() {
+        let said = [-4e-6, 0.0, 4e-6, 2e-5, -2e-5].map(|lag| describe_lag(lag).to_string());
+        let none = "has no lag";
+        assert_eq!(said, [none, none, none, "lags it by 0.02 ms", "leads it by 0.02 ms"]);
+    }
+
+    #[test]
+    fn spikes_of_an_unused_velocity_are_not_reported_and_others_are_in_the_unit_of_the_file() {
+        let mut samples = SineTest::default().samples();
+        samples.units = vec![(Channel::Force, Unit::Kilonewton), (Channel::Velocity, Unit::MillimetrePerSecond)];
+        let spike = |values: &mut Vec<f64>, height: f64| values[555] += height;
+        spike(&mut samples.force, 900.0);
+        samples.velocity.iter_mut().for_each(|v| spike(v, 0.5));
+        let spikes = |samples: Samples| -> Vec<String> {
+            let record = clean(samples, &Options::default()).unwrap();
+            let notes = record.notes.iter().filter(|note| note.kind == "outlier");
+            notes.map(|note| note.text.to_string()).collect()
+        };
+        let said = spikes(samples.clone());
+        assert!(said.len() == 2 && said[0].contains("force") && said[1].contains("velocity"), "{said:?}");
+        for (text, wanted, unit) in [(&said[0], 0.9, "kN"), (&said[1], 500.0, "mm/s")] {
+            let largest = text.split("largest ").nth(1).and_then(|rest| rest.split(' ').next()).unwrap();
+            assert!((largest.parse::<f64>().unwrap() / wanted - 1.0).abs() < 0.05, "{text}");
+            assert!(text.contains(&format!("{largest} {unit} off")), "{text}");
+        }
+        // A velocity with the lag of a filter is not used.
+        let mut late = samples;
+        late.velocity.iter_mut().for_each(|v| *v = (0..v.len()).map(|k| v[k.saturating_sub(8)]).collect());
+        let said = spikes(late);
+        assert!(said.len() == 1 && said[0].contains("force"), "{said:?}");
     }
 
     #[test]

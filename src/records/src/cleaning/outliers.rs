@@ -6,11 +6,14 @@ use crate::messages::phrases;
 use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
 use crate::tuning::outliers::{FRACTION, LONGEST};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
-/// Replaces spikes in force and motion by straight lines, with a note. A channel with too many spikes stays unchanged,
-/// with another note.
-pub(crate) fn replace(samples: &mut Samples) {
+/// Replaces spikes in force and motion by straight lines. A channel with too many spikes stays unchanged.
+///
+/// Returns a sentence for each channel with spikes. The caller adds it as a note if the channel is used.
+#[must_use]
+pub(crate) fn replace(samples: &mut Samples) -> Vec<(Channel, Sentence)> {
+    let mut found = Vec::new();
     for channel in [Channel::Force, Channel::Displacement, Channel::Velocity] {
         let Some(values) = samples.channel_mut(channel) else {
             continue;
@@ -22,12 +25,8 @@ pub(crate) fn replace(samples: &mut Samples) {
         }
         if count as f64 > (FRACTION * values.len() as f64).max(3.0) {
             let percent = 100.0 * count as f64 / values.len() as f64;
-            samples.note(
-                "outlier",
-                Sentence::from(phrases::SPIKY)
-                    .with_sentence("channel", channel.message())
-                    .with("percent", format!("{percent:.1}")),
-            );
+            let text = Sentence::from(phrases::SPIKY).with_sentence("channel", channel.message());
+            found.push((channel, text.with("percent", format_decimals(percent, 1))));
             continue;
         }
         let mut largest = 0.0_f64;
@@ -43,17 +42,19 @@ pub(crate) fn replace(samples: &mut Samples) {
             }
         }
         let line = samples.lines[spikes[0].0];
-        samples.note(
-            "outlier",
-            Sentence::from(phrases::SPIKES)
-                .with("count", count)
-                .with_sentence("channel", channel.message())
-                .with("spikes", spikes.len())
-                .with("line", line)
-                .with("largest", format!("{largest:.4}"))
-                .with("unit", channel.si()),
-        );
+        // The message is in the unit of the file, because the user searches the spike there.
+        let own = samples.units.iter().find(|(of, _)| *of == channel).map(|(_, unit)| *unit);
+        let (factor, unit) = own.map_or((1.0, channel.si()), |unit| (unit.to_si(1.0), unit.name()));
+        let text = Sentence::from(phrases::SPIKES)
+            .with("count", count)
+            .with_sentence("channel", channel.message())
+            .with("spikes", spikes.len())
+            .with("line", line)
+            .with("largest", format_decimals(largest / factor, 4))
+            .with("unit", unit);
+        found.push((channel, text));
     }
+    found
 }
 
 /// Smallest number of steps between the samples after a spike at the start of a record. With fewer steps, their largest
@@ -148,8 +149,11 @@ mod tests {
             samples.force[at..at + length].iter_mut().for_each(|f| *f += height);
         }
         samples.displacement.as_mut().unwrap()[640] = 0.0;
-        replace(&mut samples);
-        assert_eq!(samples.notes.len(), 2, "{:?}", samples.notes);
+        let found = replace(&mut samples);
+        assert_eq!(
+            found.iter().map(|(channel, _)| *channel).collect::<Vec<_>>(),
+            [Channel::Force, Channel::Displacement]
+        );
         let changed: Vec<usize> = (0..sound.len()).filter(|&i| samples.force[i] != sound.force[i]).collect();
         assert_eq!(changed, [300, 555, 556, 801, 802, 803]);
         for i in changed {
@@ -166,7 +170,8 @@ mod tests {
         for (at, height) in [(0..1, 900.0), (0..2, -900.0), (n - 1..n, 900.0), (n - 3..n, -2000.0)] {
             let mut samples = sound.clone();
             samples.force[at.clone()].iter_mut().for_each(|f| *f += height);
-            replace(&mut samples);
+            let found = replace(&mut samples);
+            assert_eq!(found.len(), 1, "{found:?}");
             let off = |k: usize| (samples.force[k] - sound.force[k]).abs();
             assert!((0..n).all(|k| if at.contains(&k) { off(k) < 60.0 } else { off(k) == 0.0 }), "{at:?}");
         }
@@ -208,8 +213,8 @@ mod tests {
             samples.force[i] += 800.0;
         }
         let before = samples.force.clone();
-        replace(&mut samples);
+        let found = replace(&mut samples);
         assert_eq!(samples.force, before);
-        assert!(samples.notes[0].text.to_string().contains("left as they are"));
+        assert!(found[0].1.to_string().contains("left as they are"));
     }
 }

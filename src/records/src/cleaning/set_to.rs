@@ -6,7 +6,7 @@ use crate::data::setting_signal::{SettingPattern, SettingSignal};
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, as_set, setting_in_unit, tolerance};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// A column with the setting of a damper.
 #[derive(Debug, Clone, PartialEq)]
@@ -86,7 +86,8 @@ pub(super) fn drop_start(mut samples: Samples, rules: &SettingRules) -> Samples 
     let steady = last + 1;
     let seconds = samples.time.get(steady).zip(samples.time.first()).map_or(0.0, |(to, from)| to - from);
     samples.retain(|place| place >= steady);
-    let text = Sentence::from(phrases::SETTING_START).with("setting", &name).with("seconds", format!("{seconds:.2}"));
+    let text =
+        Sentence::from(phrases::SETTING_START).with("setting", &name).with("seconds", format_decimals(seconds, 2));
     samples.note("setting_start", text);
     samples
 }
@@ -103,7 +104,7 @@ pub(super) fn take(samples: &mut Samples, rules: &SettingRules) -> (Option<Setti
     let largest = channel.iter().copied().filter(|value| value.is_finite()).fold(0.0, |most: f64, i| most.max(i.abs()));
     // The heading states mA, but the values are typical of a column in A.
     if is_current && in_milliamperes && largest > 0.0 && as_set(largest, "A") == 0.0 {
-        let current = format!("{:.1}", 1e3 * largest);
+        let current = format_decimals(1e3 * largest, 1);
         samples.note("small_current", Sentence::from(phrases::SMALL_CURRENT).with("current", current));
     }
     let missing = channel.iter().filter(|value| !value.is_finite()).count();

@@ -9,7 +9,7 @@ use crate::numbers::{median, quantile, range};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::tuning::swapped_columns::{FORWARD, HIGHEST, LONGEST, NO_SINE, PURER, ROUGHER};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Rejects samples with headings that are probably exchanged. A unit that the user gave for a channel confirms its
 /// heading.
@@ -31,7 +31,7 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
             let advances = samples.channel(other).is_some_and(|v| range(v) > 0.0 && forward(v) > FORWARD);
             if advances && !insisted(Channel::Time, other) {
                 let evidence = Sentence::from(phrases::TIME_STANDS)
-                    .with("percent", format!("{:.0}", 100.0 * (1.0 - forward(&samples.time))))
+                    .with("percent", format_decimals(100.0 * (1.0 - forward(&samples.time)), 0))
                     .with_sentence("other", other.message());
                 return Err(error(Channel::Time, other, evidence));
             }
@@ -50,8 +50,8 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         return Ok(());
     }
     let spans = Sentence::from(phrases::SPANS)
-        .with("displacement", format!("{:.1}", 1e3 * move_range))
-        .with("force", format!("{force_range:.3}"));
+        .with("displacement", format_decimals(1e3 * move_range, 1))
+        .with("force", format_decimals(force_range, 3));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
     // Exchanged channels show in this combination of evidence. The displacement ranges over more than 1 m
     // ([`LONGEST`]), the force over less than 500 N, and the force is smoother.
@@ -70,13 +70,13 @@ pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordE
         let (by_x, by_f) = (follows(&samples.time, x, v), follows(&samples.time, &samples.force, v));
         if by_f > 0.97 && by_x < 0.8 {
             let evidence = Sentence::from(phrases::DERIVATIVE_OF_FORCE)
-                .with("with_force", format!("{by_f:.2}"))
-                .with("with_displacement", format!("{by_x:.2}"));
+                .with("with_force", format_decimals(by_f, 2))
+                .with("with_displacement", format_decimals(by_x, 2));
             return Err(error(Channel::Displacement, Channel::Force, evidence));
         }
     } else if rougher && loop_area(x, &samples.force) < 0.0 {
         let evidence = Sentence::from(phrases::DISPLACEMENT_ROUGHER)
-            .with("times", format!("{:.1}", roughness(x) / roughness(&samples.force)))
+            .with("times", format_decimals(roughness(x) / roughness(&samples.force), 1))
             .with_sentence("spans", spans);
         return Err(error(Channel::Displacement, Channel::Force, evidence));
     }

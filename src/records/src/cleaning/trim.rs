@@ -8,7 +8,7 @@ use crate::messages::phrases;
 use crate::numbers::median;
 use crate::signal::noise::cycle_deviations;
 use crate::tuning::trim::NOISY;
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Trims the test to its whole cycles, with notes. A test that is not periodic stays whole.
 pub(crate) fn trim(motion: &mut Motion) {
@@ -30,13 +30,13 @@ pub(crate) fn trim(motion: &mut Motion) {
         motion.notes.push(Note {
             kind: "trimmed",
             text: Sentence::from(phrases::TRIMMED)
-                .with("before", format!("{before:.3}"))
+                .with("before", format_decimals(before, 3))
                 .with("samples_before", span.start)
-                .with("after", format!("{after:.3}"))
+                .with("after", format_decimals(after, 3))
                 .with("samples_after", n - span.end)
                 .with_word("tail", if span.end < n { tail } else { "nothing" })
                 .with("cycles", count)
-                .with("frequency", format!("{frequency:.4}")),
+                .with("frequency", format_decimals(frequency, 4)),
         });
     }
     let runs = motion.cycles.windows(2).filter(|pair| pair[0].end != pair[1].start).count();
@@ -75,9 +75,9 @@ fn drop_noisy_last(motion: &mut Motion) {
         motion.notes.push(Note {
             kind: "noisy_last_cycle",
             text: Sentence::from(phrases::NOISY_LAST)
-                .with("start", format!("{seconds:.3}"))
-                .with("last", format!("{last:.1}"))
-                .with("typical", format!("{typical:.1}")),
+                .with("start", format_decimals(seconds, 3))
+                .with("last", format_decimals(last, 1))
+                .with("typical", format_decimals(typical, 1)),
         });
     }
 }

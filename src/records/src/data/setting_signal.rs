@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::messages::phrases;
 use crate::numbers::{median, white_noise};
 use crate::quantities::setting_value::{as_set, with_setting_name};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Tolerance of a level (a constant value over several samples), as a fraction of the signal's range. The tolerance is
 /// the largest deviation of a sample from the mean of its level. The larger of this tolerance and that by [`NOISE`]
@@ -131,7 +131,7 @@ impl SettingSignal {
         let text = with_setting_name(text, "setting", &self.name);
         let [low, high] = self.range;
         let high = format!("{high:.2} {}", self.unit);
-        text.with("low", format!("{low:.2}")).with("high", high.trim_end())
+        text.with("low", format_decimals(low, 2)).with("high", high.trim_end())
     }
 
     /// Returns the difference between the largest and the smallest value in a range of samples.

@@ -1,5 +1,7 @@
 //! Formats forces in messages.
 
+use dashpot_messages::format_decimals;
+
 /// Largest number of decimals: a tenth of a millinewton, finer than the resolution of any load cell for dampers.
 const MOST: usize = 4;
 
@@ -20,8 +22,7 @@ pub fn places(force: f64, decimals: usize) -> usize {
 /// Formats a force, N, with at least `decimals` decimals, and with more if two significant digits require them.
 pub fn newtons(force: f64, decimals: usize) -> String {
     let places = places(force, decimals);
-    let force = if is_nothing(force) { 0.0 } else { force };
-    format!("{force:.places$}")
+    format_decimals(if is_nothing(force) { 0.0 } else { force }, places)
 }
 
 #[cfg(test)]

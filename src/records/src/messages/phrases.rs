@@ -68,7 +68,10 @@ dashpot_messages::phrases! {
     SPIKY: "{channel} is spiky: {percent} % of the samples stand off their neighbours; too many to be stray spikes, left as they are";
     SPIKES: "spikes of {channel} replaced by straight lines, first at line {line}, largest {largest} {unit} off (spikes: {spikes}, samples: {count})";
     // Motion.
-    CONSISTENT: "velocity is {gain} times the derivative of displacement and lags it by {lag} ms ({percent} % of the displacement's variance unexplained)";
+    CONSISTENT: "velocity is {gain} times the derivative of displacement and {lag} ({percent} % of the displacement's variance unexplained)";
+    NO_LAG: "has no lag";
+    LAGS: "lags it by {lag} ms";
+    LEADS: "leads it by {lag} ms";
     DIFFERENTIATED: "velocity derived from displacement by local cubics over {points} samples ({window} s), zero phase, -3 dB at {frequency} Hz{shorter}";
     SHORTER: "; over fewer where the motion turns within them, {percent} % of the samples";
     INTEGRATED: "displacement integrated from velocity, starting at {start} mm; velocity offset {offset} mm/s removed, which is a drift of {drift} mm over the record ({basis})";
@@ -230,9 +233,9 @@ dashpot_messages::phrases! {
     EXCHANGED_FEED: "{exchanged}; read so, the damper would feed energy into the rig. Give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and --unit where the units go with them. Where only some files have it, put these into a folder of their own, say so there with dashpot import-profile, and name both folders";
     EXCHANGED_DOUBT: "{exchanged}. If so, nothing of what follows is right: give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and leave --flip out";
     OR_LATE: ". Or {late}; then give {option}";
-    FLIP_MOTION: "the force at standstill is a push counted negative, as gas gives when tension is positive; so displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)";
-    FLIP_FORCE: "the force at standstill is a push counted positive, as gas gives when compression is positive; so displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)";
-    FLIP_EITHER: "the force at standstill is too small to tell which of them. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)";
+    FLIP_MOTION: "{standstill}; then displacement and velocity are counted positive in compression. Give --flip motion (or correct the export)";
+    FLIP_FORCE: "{standstill}; then displacement and velocity are counted positive in rebound. Give --flip force (or correct the export)";
+    FLIP_EITHER: "{standstill}. Give --flip force if compression forces are counted positive, --flip motion if compression movements are (or correct the export)";
     // Faults of an imposed motion.
     MOTION_GAP: "{at}, line {line}: {channel} is missing or no number; a motion is used as it stands, so fill the gap or cut it off";
     MOTION_BEYOND: "{at}, line {line}: {channel} is {value}, and a motion stays within ±{limit}; check the unit of the column, which --unit states";
@@ -274,14 +277,12 @@ dashpot_messages::phrases! {
     AHEAD: "ahead of";
     OTHER_MOTION: "the integral of the velocity explains only {percent} % of the displacement; they do not belong to one motion. Check that the right columns are read (--column velocity=\"heading\"), {advice}";
     OPPOSITE_SIGNS: "they have opposite signs (velocity is {gain} times the derivative of displacement). Turn one of them in the export, {advice}";
-    UNIT_SLIP: "velocity is {gain} times the derivative of displacement: a unit slip, {slip}. Give the unit (--unit velocity=mm/s, --unit displacement=mm), {advice}";
+    UNIT_SLIP: "velocity is {gain} times the derivative of displacement, a unit slip. Most likely {likely}{others}";
+    UNIT_CANDIDATE: "the unit of {channel} is {likely} where {read} was read, for a test of {amplitude} mm at {frequency} Hz and {velocity} mm/s: give {option}";
+    OTHERWISE: ". Otherwise {others}";
+    OR_ELSE: "; or ";
     OTHER_SCALE: "velocity is {gain} times the derivative of displacement. Check the units and calibration of both, the unit of time, and whether the sampling is fast enough for the motion, {advice}";
     READ_ONE_ONLY: "or read one of them only: --ignore velocity (or --ignore displacement)";
-    MM_NOT_M: "displacement or velocity is in mm where the header says m";
-    CM_NOT_M: "displacement or velocity is in cm where the header says m";
-    MM_NOT_CM: "displacement or velocity is in mm where the header says cm";
-    INCH_NOT_MM: "one of them is in inches where the header says mm, or the reverse";
-    INCH_NOT_M: "one of them is in inches where the header says m, or the reverse";
     // Channels.
     CHANNEL_TIME: "time";
     CHANNEL_DISPLACEMENT: "displacement";

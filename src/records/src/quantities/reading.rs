@@ -1,6 +1,7 @@
 //! Text of a measured number with its interval. Tables and sentences use this text, so that they state the same digits.
 
 use super::reading_unit::reading_unit;
+use dashpot_messages::format_decimals;
 
 /// Significant digits of a number without an interval.
 const DIGITS: i32 = 4;
@@ -36,7 +37,7 @@ impl Reading {
             kept.min(most).clamp(0, 9) as usize
         });
         let write = |number: f64| match decimals {
-            Some(decimals) => fixed(number, decimals),
+            Some(decimals) => format_decimals(number, decimals),
             None => digits(number, DIGITS),
         };
         Reading { value: write(value), low: write(low), high: write(high), unit: unit.to_owned() }
@@ -53,15 +54,6 @@ impl Reading {
     }
 }
 
-/// Formats a number with fixed decimals and without negative zero.
-fn fixed(number: f64, decimals: usize) -> String {
-    let text = format!("{number:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.to_owned(),
-        _ => text,
-    }
-}
-
 /// Formats a number with `significant` digits. Very large and very small numbers have a power of ten.
 pub fn digits(value: f64, significant: i32) -> String {
     if value == 0.0 || !value.is_finite() {
@@ -72,7 +64,7 @@ pub fn digits(value: f64, significant: i32) -> String {
     let (mantissa, exponent) = rounded.split_once('e').unwrap_or((&rounded, "0"));
     let exponent: i32 = exponent.parse().unwrap_or(0);
     if (-4..6).contains(&exponent) {
-        return fixed(value, (significant - 1 - exponent).max(0) as usize);
+        return format_decimals(value, (significant - 1 - exponent).max(0) as usize);
     }
     format!("{mantissa}\u{b7}10{}", superscript(exponent))
 }
@@ -84,7 +76,7 @@ pub fn round_figure(value: f64) -> String {
     }
     let decimals = 1 - libm::log10(value.abs()).floor() as i32;
     let scale = 10f64.powi(decimals);
-    let text = fixed((value * scale).round() / scale, decimals.max(0) as usize);
+    let text = format_decimals((value * scale).round() / scale, decimals.max(0) as usize);
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
 }
 

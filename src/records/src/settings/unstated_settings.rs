@@ -11,7 +11,7 @@ use crate::data::record::{Note, Record};
 use crate::glob;
 use crate::messages::phrases;
 use crate::numbers::median;
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
 
 /// Largest relative difference of stroke and peak velocity between equal motions. It is also the largest difference of
 /// mean position, relative to the amplitude.
@@ -65,7 +65,7 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     let text = Sentence::from(phrases::OTHER_SETTINGS)
         .with("first", names[i])
         .with("second", names[j])
-        .with("times", format!("{most:.1}"))
+        .with("times", format_decimals(most, 1))
         .with_any("belong", belong);
     notes.push(Note { kind: "settings", text });
 }

@@ -3,9 +3,13 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::derivative::integrate;
+use super::unit_slip::{self, MotionSize};
 use crate::messages::phrases;
+use crate::numbers::range;
+use crate::quantities::channel::Channel;
+use crate::quantities::unit::Unit;
 use crate::tuning::consistency::{LAG_OF_PHASE, LAG_OF_SAMPLE, SAME_MOTION};
-use dashpot_messages::{Sentence, Template};
+use dashpot_messages::{Sentence, Template, format_decimals};
 
 /// Agreement of velocity and displacement.
 #[derive(Debug, Clone, Copy)]
@@ -16,6 +20,8 @@ pub(crate) struct Agreement {
     pub lag: f64,
     /// Fraction of the displacement's variance that the integrated velocity explains, 0..1.
     pub explained: f64,
+    /// Size of the motion in the units in which the channels were read.
+    pub size: MotionSize,
 }
 
 /// Fits displacement x, m, and velocity v, m/s, over time t, s, by x = a·∫v dt + b·v + c + d·t. The gain is 1/a, the
@@ -56,45 +62,41 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
     let line = plain * plain / n as f64;
     let explained = (solution.dot(&right) - line) / (total - line);
     let (a, b) = (solution[0] * wx / wi, solution[1] * wx / wv);
-    Some(Agreement { gain: 1.0 / a, lag: b / a, explained })
+    let size = MotionSize { amplitude: 0.5 * range(displacement), speed: 0.5 * range(velocity) };
+    Some(Agreement { gain: 1.0 / a, lag: b / a, explained, size })
 }
 
 /// Returns whether the velocity is the derivative of the displacement with a significant time shift, such as that of a
 /// filter. `step` is the time between samples, s. `period` is that of the cycles, s, or `None` without cycles.
 pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
-    let Agreement { gain, lag, explained } = *agreement;
+    let Agreement { gain, lag, explained, .. } = *agreement;
     let phase = period.map_or(f64::INFINITY, |period| std::f64::consts::TAU * lag.abs() / period);
     explained > SAME_MOTION && (0.75..1.33).contains(&gain) && lag.abs() > LAG_OF_SAMPLE * step && phase > LAG_OF_PHASE
 }
 
-/// Returns the likely cause if displacement and velocity contradict each other strongly, else `None`.
-pub(crate) fn contradiction(agreement: &Agreement) -> Option<Sentence> {
-    let Agreement { gain, explained, .. } = *agreement;
+/// Returns the likely cause if displacement and velocity contradict each other strongly, else `None`. `units` are the
+/// units in which the channels were read.
+pub(crate) fn contradiction(agreement: &Agreement, units: &[(Channel, Unit)]) -> Option<Sentence> {
+    let Agreement { gain, explained, size, .. } = *agreement;
     let by = |cause: Template, figure: &'static str, value: String| {
         Sentence::from(cause).with(figure, value).with_sentence("advice", phrases::READ_ONE_ONLY)
     };
     if explained < 0.5 {
-        return Some(by(phrases::OTHER_MOTION, "percent", format!("{:.0}", 100.0 * explained.max(0.0))));
+        return Some(by(phrases::OTHER_MOTION, "percent", format_decimals(100.0 * explained.max(0.0), 0)));
     }
     if gain < 0.0 {
-        return Some(by(phrases::OPPOSITE_SIGNS, "gain", format!("{gain:.3}")));
-    }
-    let slips = [
-        (1000.0, phrases::MM_NOT_M),
-        (100.0, phrases::CM_NOT_M),
-        (10.0, phrases::MM_NOT_CM),
-        (25.4, phrases::INCH_NOT_MM),
-        (39.370_078_740_157_48, phrases::INCH_NOT_M),
-    ];
-    for (factor, cause) in slips {
-        for slip in [factor, 1.0 / factor] {
-            if (gain / slip - 1.0).abs() < 0.06 {
-                return Some(by(phrases::UNIT_SLIP, "gain", format!("{gain:.4}")).with_sentence("slip", cause));
-            }
-        }
+        return Some(by(phrases::OPPOSITE_SIGNS, "gain", format_decimals(gain, 3)));
     }
     if !(0.75..1.33).contains(&gain) {
-        return Some(by(phrases::OTHER_SCALE, "gain", format!("{gain:.3}")));
+        let mut causes = unit_slip::candidates(gain, size, units).into_iter();
+        if let Some(likely) = causes.next() {
+            let others: Vec<Sentence> = causes.collect();
+            let others = (!others.is_empty())
+                .then(|| Sentence::from(phrases::OTHERWISE).with_list("others", others, phrases::OR_ELSE));
+            let slip = Sentence::from(phrases::UNIT_SLIP).with("gain", format_decimals(gain, 4));
+            return Some(slip.with_sentence("likely", likely).with_any("others", others));
+        }
+        return Some(by(phrases::OTHER_SCALE, "gain", format_decimals(gain, 3)));
     }
     None
 }
@@ -114,7 +116,7 @@ mod tests {
         let (time, x, v) = channels();
         let agreement = compare(&time, &x, &v).unwrap();
         assert!((agreement.gain - 1.0).abs() < 1e-3 && agreement.lag.abs() < 1e-5, "{agreement:?}");
-        assert!(contradiction(&agreement).is_none());
+        assert!(contradiction(&agreement, &[]).is_none());
         assert!(!is_late(&agreement, 0.002, Some(1.0)));
         // The velocity is 3 % too large, has an offset and lags by four samples (8 ms).
         let late: Vec<f64> = (0..v.len()).map(|i| 1.03 * v[i.saturating_sub(4)] + 0.002).collect();
@@ -126,24 +128,36 @@ mod tests {
     #[test]
     fn gross_contradictions_are_named() {
         let (time, x, v) = channels();
+        let units = [
+            (Channel::Time, Unit::Second),
+            (Channel::Displacement, Unit::Metre),
+            (Channel::Velocity, Unit::MetrePerSecond),
+        ];
         let cause = |factor: f64| {
             let other: Vec<f64> = v.iter().map(|v| factor * v).collect();
-            contradiction(&compare(&time, &x, &other).unwrap()).unwrap_or_default().to_string()
+            contradiction(&compare(&time, &x, &other).unwrap(), &units).unwrap_or_default().to_string()
         };
         assert!(cause(-1.0).contains("opposite signs"));
-        assert!(cause(1000.0).contains("mm where the header says m"));
-        assert!(cause(0.001).contains("unit slip"));
-        assert!(cause(1.0 / 25.4).contains("inches"));
+        assert!(cause(1000.0).contains("Most likely the unit of velocity is mm/s where m/s was read"));
+        assert!(cause(0.001).contains("Most likely the unit of displacement is mm where m was read"));
+        assert!(cause(1.0 / 39.37).contains("the unit of displacement is in where m was read"));
         assert!(cause(2.0).contains("calibration"));
         assert!(cause(1.1).is_empty());
         let unrelated: Vec<f64> = time.iter().map(|t| libm::sin(7.3 * t)).collect();
-        assert!(contradiction(&compare(&time, &x, &unrelated).unwrap()).unwrap().to_string().contains("do not belong"));
+        assert!(
+            contradiction(&compare(&time, &x, &unrelated).unwrap(), &units)
+                .unwrap()
+                .to_string()
+                .contains("do not belong")
+        );
         assert!(compare(&time, &x, &vec![0.0; x.len()]).is_none());
     }
 
     #[test]
     fn a_lag_within_conversion_or_noise_is_none() {
-        let is_late = |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0 }, step, Some(1.0));
+        let size = MotionSize { amplitude: 0.05, speed: 0.31 };
+        let is_late =
+            |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0, size }, step, Some(1.0));
         // The lags are first fractions of a sampling interval of 0.1 s, then phases in rad of a cycle of 1 s.
         assert!(!is_late(0.2 * 0.1, 0.1) && is_late(0.3 * 0.1, 0.1));
         let tau = std::f64::consts::TAU;

@@ -7,3 +7,4 @@ pub(crate) mod derivative;
 pub mod measurement_correction;
 pub(crate) mod noise;
 pub mod smoothing;
+pub(crate) mod unit_slip;

@@ -1,6 +1,7 @@
 //! Ticks of an axis and their number format.
 
 use crate::words::Words;
+use dashpot_messages::format_decimals;
 
 /// Ticks of an axis with their labels.
 #[derive(Debug, Clone, PartialEq)]
@@ -85,12 +86,7 @@ impl Ticks {
 
 /// Formats a number with a typographic minus and without negative zero.
 pub fn number(value: f64, decimals: usize) -> String {
-    let text = format!("{value:.decimals$}");
-    match text.strip_prefix('-') {
-        Some(rest) if rest.bytes().all(|b| b == b'0' || b == b'.') => rest.to_owned(),
-        Some(rest) => format!("\u{2212}{rest}"),
-        None => text,
-    }
+    format_decimals(value, decimals).replace('-', "\u{2212}")
 }
 
 #[cfg(test)]
