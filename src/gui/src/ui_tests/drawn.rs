@@ -273,6 +273,28 @@ fn every_plot_with_several_lines_has_a_legend() {
     }
 }
 
+#[test]
+fn a_legend_shows_points_as_points() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    harness.run_steps(2);
+    let w = crate::words::texts(Language::English);
+    // Returns the fillings of the circles in an entry of the legend, and the number of its lines.
+    let marks = |entry: &str| {
+        let rect = widget(&harness, Role::Label, entry).rect();
+        let (mut circles, mut lines) = (Vec::new(), 0);
+        each_shape(&harness, |shape, _| match shape {
+            Shape::Circle(circle) if rect.contains(circle.center) => circles.push(circle.fill != Color32::TRANSPARENT),
+            Shape::LineSegment { points, .. } if rect.contains(points[0]) => lines += 1,
+            _ => {}
+        });
+        (circles, lines)
+    };
+    assert_eq!(marks(w.measured), (vec![true], 0), "measured peaks are dots");
+    assert_eq!(marks(w.fv_points), (vec![false], 0), "points to drag are rings");
+    assert_eq!(marks(w.steady_force), (vec![], 1), "the curve is a line");
+}
+
 /// Returns the names of the sliders with a mark of an identified value.
 fn marked(harness: &Harness<'_, App>) -> Vec<String> {
     let mut marks = Vec::new();

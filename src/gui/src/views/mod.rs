@@ -6,7 +6,7 @@
 //! | [`fit`] | the button that fits a model |
 //! | [`status`] | progress, cancel and the last message, at the bottom |
 //! | [`tests`] | the tests with their notes |
-//! | [`plots`], [`lines`] | loops, force over time, peak forces with the draggable curve |
+//! | [`plots`], [`lines`], [`legend`] | loops, force over time, peak forces with the draggable curve |
 //! | [`matrix`] | the error matrix |
 //! | [`tables`] | forces at peak velocities and at given velocities |
 //! | [`tune`] | elements and sliders |
@@ -24,6 +24,7 @@ pub mod closing;
 pub mod drawing;
 pub mod fit;
 mod grid;
+mod legend;
 pub mod lines;
 pub mod matrix;
 pub mod plots;
