@@ -12,7 +12,7 @@ use egui_kittest::kittest::NodeT as _;
 use std::collections::BTreeMap;
 
 /// Calls a function for every shape of the last frame, with the rectangle to which it is clipped.
-fn each_shape(harness: &Harness<'_, App>, mut see: impl FnMut(&Shape, Rect)) {
+pub(super) fn each_shape(harness: &Harness<'_, App>, mut see: impl FnMut(&Shape, Rect)) {
     fn inside(shape: &Shape, clip: Rect, see: &mut dyn FnMut(&Shape, Rect)) {
         match shape {
             Shape::Vec(all) => all.iter().for_each(|shape| inside(shape, clip, see)),

@@ -39,6 +39,7 @@ pub mod tune;
 pub mod valve;
 
 use crate::dialogs::Ask;
+use crate::format::Format;
 use crate::session::matrix::Across;
 use crate::units::Units;
 use crate::words::{self, Language, Words};
@@ -124,6 +125,11 @@ impl View {
     /// Returns the texts of the window in the selected language.
     pub fn words(&self) -> &'static Words {
         words::texts(self.language)
+    }
+
+    /// Returns the selected language and units.
+    pub fn format(&self) -> Format {
+        Format { language: self.language, units: self.units }
     }
 }
 

@@ -116,21 +116,21 @@ fn around(value: f64, reach: &Reach) -> [f64; 2] {
 }
 
 fn table(ui: &mut Ui, study: &Study, units: Units, w: &Words) {
-    let force = units.force();
+    let (force, work) = (units.force(), units.energy());
     let unit = units.shown(study.question.number.parameter().unit);
     egui::Grid::new("study").num_columns(3).striped(true).show(ui, |ui| {
         ui.strong(format!("{} [{}]", translate_name(study.question.number.name(), w.of.words()), unit.symbol));
-        ui.strong(format!("{} [J]", w.area));
+        ui.strong(format!("{} [{}]", w.area, work.symbol));
         ui.strong(format!("{} [{}]", w.gap, force.symbol));
         ui.end_row();
         for (k, member) in study.members.iter().enumerate() {
             ui.label(RichText::new(w.digits(unit.factor * member.value)).color(hue(k)));
-            ui.label(w.digits(member.area));
+            ui.label(w.digits(work.factor * member.area));
             ui.label(w.digits(force.factor * member.gap));
             ui.end_row();
         }
         ui.label(w.measured);
-        ui.label(w.digits(study.measured[0]));
+        ui.label(w.digits(work.factor * study.measured[0]));
         ui.label(w.digits(force.factor * study.measured[1]));
         ui.end_row();
     });

@@ -5,7 +5,6 @@ use crate::views::legend::{self, Entry, Mark};
 use crate::views::{View, grid};
 use crate::words::Words;
 use dashpot_identification::validation::{ResponseTimes, StepResponse};
-use dashpot_report::numbers::with_interval;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
 use egui_plot::{Line, Plot, PlotPoints};
 
@@ -132,10 +131,7 @@ fn numbers(ui: &mut Ui, session: &Session, view: &View) {
         for number in session.valve_numbers() {
             ui.label(RichText::new(number.name).small());
             let text = match number.interval {
-                Some([low, high]) => {
-                    let (value, interval) = with_interval(number.value, low, high, &number.unit, said);
-                    said.number(&format!("{value}  ({interval})"))
-                }
+                Some([low, high]) => view.format().with_interval(number.value, low, high, &number.unit),
                 None => format!("{} {}", view.words().digits(number.value), number.unit),
             };
             ui.label(RichText::new(text).small());

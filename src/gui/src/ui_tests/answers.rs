@@ -1,0 +1,76 @@
+//! Tests of the panel of the results: order, what it states once, and units.
+
+use super::drawn::each_shape;
+use super::*;
+use crate::units::{Force, Units, Velocity};
+use crate::views::{Corner, Side};
+use eframe::egui::Shape;
+
+/// Runs a task by its key, and waits for its end.
+fn run(harness: &mut Harness<'_, App>, key: Key) {
+    harness.key_press(key);
+    harness.step();
+    until(harness, "the result", |app| app.session.task.is_none());
+}
+
+/// Returns the texts of the last frame that state a number in a unit which is not selected.
+fn in_other_units(harness: &Harness<'_, App>) -> Vec<String> {
+    let mut found = Vec::new();
+    each_shape(harness, |shape, _| {
+        let Shape::Text(text) = shape else { return };
+        let text = text.galley.job.text.replace(['\u{a0}', '\u{202f}'], " ");
+        for other in ["N", "kN", "mm", "m/s", "mm/s", "N/mm", "kN/mm", "N·s/m", "J"] {
+            let pieces: Vec<&str> = text.split(&format!(" {other}")).collect();
+            let states = pieces.windows(2).any(|pair| {
+                pair[0].ends_with(|c: char| c.is_ascii_digit())
+                    && !pair[1].starts_with(|c: char| c.is_ascii_alphanumeric() || "/·²³".contains(c))
+            });
+            if states || text.contains(&format!("[{other}]")) {
+                found.push(text.clone());
+            }
+        }
+    });
+    found
+}
+
+#[test]
+fn every_number_of_the_window_is_in_the_selected_units() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 12, vec![]);
+    // A model without its series spring, so that the diagnosis has something to say.
+    harness.state_mut().session.tune(|m| m.switch(element!("series_compliance"), false));
+    press(&mut harness, "Study");
+    press(&mut harness, "Compute");
+    until(&mut harness, "the study", |app| app.session.study.is_some() && app.session.task.is_none());
+    run(&mut harness, Key::F7);
+    run(&mut harness, Key::F6);
+    harness.key_press(Key::F5);
+    harness.run_steps(2);
+    press(&mut harness, "Replace");
+    until(&mut harness, "the fit", |app| app.session.results.fit.is_some() && app.session.task.is_none());
+    press(&mut harness, "Study");
+    press(&mut harness, "Compute");
+    until(&mut harness, "the study", |app| app.session.study.is_some() && app.session.task.is_none());
+    until(&mut harness, "forces", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
+    harness.set_size(egui::vec2(1280.0, 8000.0));
+    // In SI units the same views state such numbers, so the test would notice them.
+    harness.state_mut().view.side = Side::Result;
+    harness.run_steps(3);
+    assert!(in_other_units(&harness).len() > 20, "{:?}", in_other_units(&harness));
+    harness.state_mut().view.units = Units { velocity: Velocity::InchesPerSecond, force: Force::Pounds };
+    for (_, language) in Language::ALL {
+        harness.state_mut().view.language = language;
+        for side in [Side::Tune, Side::Result, Side::Records, Side::Study] {
+            harness.state_mut().view.side = side;
+            harness.run_steps(2);
+            let other = in_other_units(&harness);
+            assert!(other.is_empty(), "{language:?} {side:?}: {other:#?}");
+        }
+        for corner in [Corner::Matrix, Corner::Tables, Corner::Study, Corner::GasAndDrag] {
+            harness.state_mut().view.corner = corner;
+            harness.run_steps(2);
+            let other = in_other_units(&harness);
+            assert!(other.is_empty(), "{language:?} {corner:?}: {other:#?}");
+        }
+    }
+}
