@@ -13,6 +13,61 @@ fn run(harness: &mut Harness<'_, App>, key: Key) {
     until(harness, "the result", |app| app.session.task.is_none());
 }
 
+/// Returns the titles of the results from top to bottom.
+fn titles(harness: &Harness<'_, App>) -> Vec<&'static str> {
+    let w = crate::words::texts(Language::English);
+    let mut all: Vec<(f32, &str)> = Vec::new();
+    each_shape(harness, |shape, _| {
+        if let Shape::Text(text) = shape {
+            let title = [w.fit_result, w.validation_result, w.diagnosis_result];
+            let is_heading = text.galley.job.sections.iter().all(|of| of.format.font_id.size > 15.0);
+            let found = title.into_iter().find(|title| is_heading && *title == text.galley.job.text);
+            all.extend(found.map(|title| (text.pos.y, title)));
+        }
+    });
+    all.sort_by(|a, b| a.0.total_cmp(&b.0));
+    all.into_iter().map(|(_, title)| title).collect()
+}
+
+#[test]
+fn the_newest_answer_stands_first_and_the_panel_opens_at_it() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 12, vec![]);
+    let w = crate::words::texts(Language::English);
+    run(&mut harness, Key::F7);
+    run(&mut harness, Key::F6);
+    // The user reads the end of the diagnosis while the fit runs.
+    let panel = widget(&harness, Role::Button, w.tune).rect().center() + egui::vec2(0.0, 300.0);
+    harness.hover_at(panel);
+    for _ in 0..20 {
+        harness.event(egui::Event::MouseWheel {
+            unit: egui::MouseWheelUnit::Point,
+            delta: egui::vec2(0.0, -400.0),
+            phase: egui::TouchPhase::Move,
+            source: egui::MouseWheelSource::Unknown,
+            modifiers: Modifiers::NONE,
+        });
+        harness.step();
+    }
+    harness.run_steps(30);
+    assert!(!titles(&harness).contains(&w.validation_result), "the panel is scrolled: {:?}", titles(&harness));
+    run(&mut harness, Key::F5);
+    harness.run_steps(3);
+    let quality = harness.state().session.results.fit.as_ref().unwrap().found.quality.as_ref().unwrap();
+    let sentence = dashpot_report::quality::sentence(quality, Language::English.words());
+    let rect = widget(&harness, Role::Label, &sentence).rect();
+    let tabs = widget(&harness, Role::Button, w.tune).rect().bottom();
+    assert!(rect.top() > tabs && rect.top() < tabs + 80.0, "{rect:?} below {tabs}");
+    // In a window of this height, the panel shows all results.
+    harness.set_size(egui::vec2(1280.0, 8000.0));
+    harness.run_steps(3);
+    assert_eq!(titles(&harness), [w.fit_result, w.validation_result, w.diagnosis_result]);
+    // With the model before the fit, validation and diagnosis are those of the data on screen.
+    press(&mut harness, "Undo");
+    harness.run_steps(2);
+    assert_eq!(titles(&harness), [w.validation_result, w.diagnosis_result, w.fit_result]);
+}
+
 /// Returns the texts of the last frame that state a number in a unit which is not selected.
 fn in_other_units(harness: &Harness<'_, App>) -> Vec<String> {
     let mut found = Vec::new();

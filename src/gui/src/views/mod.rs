@@ -93,6 +93,8 @@ pub struct View {
     pub anchor: Option<usize>,
     /// Panel on the right-hand side.
     pub side: Side,
+    /// Whether the panel of the results is to show its beginning in the next frame.
+    pub is_result_new: bool,
     /// Contents of the area at the lower right.
     pub corner: Corner,
     /// Quantity of the columns of the error matrix.

@@ -6,6 +6,7 @@ use crate::restated::heading as heading_in;
 use crate::session::Session;
 use crate::session::papers::Paper;
 use crate::session::replacing::Replacement;
+use crate::session::results::Kind;
 use crate::views::{View, setting_name, translate_name};
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, InventoryItem};
@@ -20,25 +21,31 @@ use dashpot_report::parameters::assumed_of;
 use dashpot_report::quality;
 use eframe::egui::{self, RichText, Ui};
 
-/// Draws the panel.
+/// Draws the panel: results that belong to the data on screen before those that are out of date, each newest first.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
-    egui::ScrollArea::vertical().id_salt("answer").auto_shrink([false, false]).show(ui, |ui| {
-        let results = &session.results;
-        let is_there = [results.diagnosis.is_some(), results.validation.is_some()];
-        if is_there == [false; 2] && results.fit.is_none() && results.family_fit.is_none() {
+    let mut area = egui::ScrollArea::vertical().id_salt("answer").auto_shrink([false, false]);
+    // The user may have scrolled an earlier result, and the new one stands at the top.
+    if std::mem::take(&mut view.is_result_new) {
+        area = area.vertical_scroll_offset(0.0);
+    }
+    area.show(ui, |ui| {
+        let order = session.results.order(session);
+        if order.is_empty() {
             wrapped(ui, RichText::new(w.no_result));
         }
-        let take = of_diagnosis(ui, session, view);
-        if is_there[0] {
-            ui.separator();
+        let mut take = false;
+        for (k, kind) in order.into_iter().enumerate() {
+            if k > 0 {
+                ui.separator();
+            }
+            match kind {
+                Kind::Fit => of_fit(ui, session, view),
+                Kind::FamilyFit => of_family_fit(ui, session, view),
+                Kind::Validation => of_validation(ui, session, view),
+                Kind::Diagnosis => take = of_diagnosis(ui, session, view),
+            }
         }
-        of_validation(ui, session, view);
-        if is_there[1] {
-            ui.separator();
-        }
-        of_fit(ui, session, view);
-        of_family_fit(ui, session, view);
         if take {
             session.replace(Replacement::Improved);
         }
