@@ -4,6 +4,7 @@ use super::drawn::each_shape;
 use super::*;
 use crate::units::{Force, Units, Velocity};
 use crate::views::{Corner, Side};
+use dashpot_identification::Standing;
 use eframe::egui::Shape;
 
 /// Runs a task by its key, and waits for its end.
@@ -66,6 +67,36 @@ fn the_newest_answer_stands_first_and_the_panel_opens_at_it() {
     press(&mut harness, "Undo");
     harness.run_steps(2);
     assert_eq!(titles(&harness), [w.validation_result, w.diagnosis_result, w.fit_result]);
+}
+
+#[test]
+fn what_a_fit_did_not_identify_stands_once() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    run(&mut harness, Key::F5);
+    harness.set_size(egui::vec2(1280.0, 8000.0));
+    for (_, language) in Language::ALL {
+        harness.state_mut().view.language = language;
+        harness.run_steps(2);
+        let said = language.words();
+        let fit = &harness.state().session.results.fit.as_ref().unwrap().found.fit;
+        let is_open =
+            |e: &&dashpot_identification::Estimate| e.standing == Standing::NotIdentified && e.index.is_none();
+        let open: Vec<_> = fit.estimates.iter().filter(is_open).collect();
+        assert!(!open.is_empty());
+        // The fit has these notes, too.
+        let notes: Vec<String> = fit.notes.iter().map(|note| said.say(note)).collect();
+        assert!(notes.len() > fit.further_notes().count());
+        for e in open {
+            let name = crate::views::translate_name(e.name, said);
+            let beginnings = [format!("{name}{}", said.colon), format!("• {name}")];
+            let lines = harness.query_all(by().role(Role::Label)).filter(|node| {
+                let text = node.value().unwrap_or_default();
+                beginnings.iter().any(|begin| text.starts_with(begin.as_str()))
+            });
+            assert_eq!(lines.count(), 1, "{language:?}: {name}");
+        }
+    }
 }
 
 /// Returns the texts of the last frame that state a number in a unit which is not selected.

@@ -145,7 +145,8 @@ fn fit(ui: &mut Ui, found: &Fit, format: Format) {
         let line = RichText::new(format!("{}{}{figures}", translate_name(e.name, said), said.colon)).small();
         ui.add(egui::Label::new(if is_open { line.weak() } else { line }).wrap()).on_hover_text(e.name);
     }
-    for note in &found.notes {
+    // The list above has the parameters that the records leave open.
+    for note in found.further_notes() {
         wrapped(ui, RichText::new(format!("• {}", format.say(note))).weak());
     }
 }
