@@ -122,7 +122,7 @@ fn a_note_states_the_numbers_of_its_table() {
                 *seen.entry("expected").or_default() += 1;
             } else if note.contains("the force channel lags the motion by ") {
                 let row = row("delay");
-                assert_eq!(format!("{} ms", between(&note, "late by ", " ms")), row[0], "{note}");
+                assert_eq!(format!("{} ms", between(&note, "lags the motion by ", " ms")), row[0], "{note}");
                 let interval = between(&note, "(95 %: ", ")");
                 assert_eq!(format!("{interval} ms"), row[1], "{note}");
                 *seen.entry("late").or_default() += 1;

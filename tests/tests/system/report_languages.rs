@@ -455,8 +455,8 @@ fn is_flawed_name(word: &str) -> bool {
     let is = |list: &str| {
         list.split_whitespace().any(|name| name == word.trim_end_matches(".csv").trim_end_matches(".xlsx"))
     };
-    // These words come from a quoted heading and from a message of the zip library.
-    let quoted = "one two invalid Zip archive Could not find EOCD";
+    // These words come from a quoted heading and from a message of the zip library. `in` is the inch, a likely unit.
+    let quoted = "one two invalid Zip archive Could not find EOCD in";
     // The segments of a record with a gap have English names.
     is_name(word) || is(stems) || is(FORMATS) || is(quoted) || word == "part"
 }
