@@ -455,8 +455,7 @@ fn flat_over(params: &Params, axis: &Axis, kept: &[usize], comment: impl Fn(&Row
         let is_off = element.is_some_and(|element| !params.is_on(element));
         let rows: Vec<Row> = parameter::table()
             .filter(|row| row.group == g)
-            // Numbers of another form of the element have no effect, and would contradict those that have.
-            .filter(|row| params.counts(row) || kept.contains(&row.index))
+            .filter(|row| !is_off || kept.contains(&row.index))
             // Skip empty lists, and parameters without an element at their default.
             .filter(|row| element.is_some() || params.get(row) != row.parameter.default)
             .filter(|row| !params.get(row).is_empty())
@@ -781,11 +780,6 @@ mod tests {
         let knees = names("elements = [\"fv_curve\"]\nfv_form = \"piecewise\"\nsubsteps = 4\n");
         assert!(knees.contains(&"fv_rebound_v2") && knees.contains(&"substeps"), "{knees:?}");
         assert!(!knees.contains(&"fv_force") && !knees.contains(&"method"), "{knees:?}");
-        // A file has no number without effect, unless it is kept.
-        let row = *number!("fv_rebound_c1").row();
-        let file = of_text("format = 1\nelements = [\"fv_curve\"]\n", Path::new("m.toml")).unwrap();
-        let said = |kept: &[usize]| flat_keeping(&file.params, kept, |_| String::new()).contains("fv_rebound_c1");
-        assert!(!said(&[]) && said(&[row.index]));
         // Every element has numbers that take effect once the element is enabled.
         for element in Element::all() {
             let mut params = Params::new();
