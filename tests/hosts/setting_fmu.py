@@ -17,13 +17,18 @@ from dashpot_damper import Damper  # noqa: E402
 BODY, WHEEL, SPRING, TIRE, STEP, STEPS = 400.0, 45.0, 22e3, 210e3, 1e-3, 3000
 
 
+def unpacked(path: str) -> tuple[Path, xml.Element]:
+    """Returns the folder with the unpacked FMU, and its model description."""
+    folder = Path(tempfile.mkdtemp())
+    zipfile.ZipFile(path).extractall(folder)
+    return folder, xml.parse(folder / "modelDescription.xml").getroot()
+
+
 class Fmu:
     """One instance of the FMU in co-simulation."""
 
     def __init__(self, path: str) -> None:
-        folder = Path(tempfile.mkdtemp())
-        zipfile.ZipFile(path).extractall(folder)
-        description = xml.parse(folder / "modelDescription.xml").getroot()
+        folder, description = unpacked(path)
         self.variables = {v.get("name"): v for v in description.iter("ScalarVariable")}
         self.library = c.CDLL(str(folder / "binaries/linux64/dashpot_damper.so"))
         logger = c.CFUNCTYPE(None, c.c_void_p, c.c_char_p, c.c_int, c.c_char_p, c.c_char_p, c.c_char_p)
@@ -88,9 +93,7 @@ class Fmu3(Fmu):
     """One instance of an FMU of FMI 3.0 in co-simulation."""
 
     def __init__(self, path: str) -> None:
-        folder = Path(tempfile.mkdtemp())
-        zipfile.ZipFile(path).extractall(folder)
-        description = xml.parse(folder / "modelDescription.xml").getroot()
+        folder, description = unpacked(path)
         self.variables = {v.get("name"): v for v in description.find("ModelVariables")}
         self.library = c.CDLL(str(folder / "binaries/x86_64-linux/dashpot_damper.so"))
         make = self.library.fmi3InstantiateCoSimulation

@@ -15,6 +15,7 @@ use super::{improved, phrases, proposed_test, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
+use dashpot_estimation::prior_range::RARE;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
@@ -323,9 +324,10 @@ impl Composed<'_> {
             let is_complete = after.sqrt() <= QUIET && missed.is_none();
             notes.extend(missed);
             let rest = if is_complete { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
+            let is_smaller = after < before;
             let [before, after] = [before, after].map(|mean_square| format!("{:.2}", mean_square.sqrt()));
             // A more probable structure may have fewer or other parameters and no smaller residual.
-            let falls = self.best.evidence.mean() < self.start.evidence.mean() && before != after;
+            let falls = is_smaller && before != after;
             let residual = Sentence::from(if falls { phrases::RESIDUAL_FALLS } else { phrases::RESIDUAL_STAYS })
                 .with("before", before)
                 .with("after", after);
@@ -660,9 +662,6 @@ fn looks(unnamed: Unnamed) -> Template {
         Unnamed::Resonance => phrases::LIKE_RESONANCE,
     }
 }
-
-/// Number of standard deviations from the mean of its prior at which a value counts as rare.
-const RARE: f64 = 2.5;
 
 /// Returns whether the value of a parameter is within [`RARE`] standard deviations of the mean of its prior. A
 /// parameter without a prior is always plausible.

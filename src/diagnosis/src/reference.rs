@@ -89,32 +89,47 @@ pub struct Freed {
 /// road, relative to the amplitude.
 const SAME_ROAD: f64 = 0.02;
 
+/// Computes the noise of the mean of repeated tests, N, from the noise of each. Returns NaN without tests.
+fn mean_noise(of_each: impl Iterator<Item = f64>) -> f64 {
+    let (count, sum) = of_each.fold((0.0, 0.0), |(count, sum), noise| (count + 1.0, sum + noise * noise));
+    sum.sqrt() / count
+}
+
+/// Adds the noise and the uncertainty of a correction, N, to the allowed error of the scored sample `k`.
+fn widen(test: &mut Test, k: usize, noise: f64, uncertain: f64) {
+    let independent = noise * noise / test.independence.max(1e-3);
+    if let Some(allowed) = test.allowed.get_mut(k) {
+        *allowed = (*allowed * *allowed + independent + uncertain * uncertain).sqrt();
+    }
+}
+
 /// Subtracts the residual of the same motion without cycles, sample by sample. `known` holds the reference tests with
 /// their residuals, N. Returns the number of reference tests with this motion.
 fn without_error_of_road(test: &mut Test, known: &[(&Test, &Vec<f64>)]) -> usize {
+    let own = at(test);
     let has_same_motion = |other: &&(&Test, &Vec<f64>)| {
         let (other, residual) = **other;
-        let pairs = test.inputs().iter().zip(other.inputs());
-        let differences = pairs.map(|(a, b)| Some(a.displacement? - b.displacement?)).collect::<Option<Vec<f64>>>();
-        let amplitude = at(test).amplitude;
+        let differences = || -> Option<Vec<f64>> {
+            let pairs = test.inputs().iter().zip(other.inputs());
+            pairs.map(|(a, b)| Some(a.displacement? - b.displacement?)).collect()
+        };
         other.frequency == 0.0
             && other.count() == test.count()
             && residual.len() == test.count()
-            && (at(test).side - at(other).side).abs() <= SAME_SIDE
-            && differences.is_some_and(|of| rms(&of) <= SAME_ROAD * amplitude)
+            && (own.side - at(other).side).abs() <= SAME_SIDE
+            && differences().is_some_and(|of| rms(&of) <= SAME_ROAD * own.amplitude)
     };
     let same: Vec<&(&Test, &Vec<f64>)> = known.iter().filter(has_same_motion).collect();
     let count = same.len();
     if count == 0 {
         return 0;
     }
-    let noise = same.iter().map(|(other, _)| other.mean_noise.powi(2)).sum::<f64>().sqrt() / count as f64;
+    let noise = mean_noise(same.iter().map(|(other, _)| other.mean_noise));
     let from = test.segment.from;
     for k in 0..test.count() {
         let left = same.iter().map(|(_, residual)| residual[k]).sum::<f64>() / count as f64;
         test.segment.force[from + k] -= left;
-        let independent = noise * noise / test.independence.max(1e-3);
-        test.allowed[k] = (test.allowed[k].powi(2) + independent).sqrt();
+        widen(test, k, noise, 0.0);
     }
     test.mean_noise = libm::hypot(test.mean_noise, noise);
     count
@@ -179,7 +194,7 @@ pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Ve
         }
         // Several repetitions of a test in the reference reduce the noise of the correction.
         let count = same.len() as f64;
-        let noise = same.iter().map(|(_, _, noise, _)| noise * noise).sum::<f64>().sqrt() / count;
+        let noise = mean_noise(same.iter().map(|(_, _, noise, _)| *noise));
         let from = test.segment.from;
         let inputs: Vec<Input> = test.segment.input.clone();
         for (k, input) in inputs.iter().enumerate() {
@@ -188,9 +203,8 @@ pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Ve
             let left = same.iter().map(|(_, left, _, top)| scale(*top) * left.at(phase)).sum::<f64>() / count;
             let uncertain = if is_same { 0.0 } else { 0.5 * left };
             test.segment.force[k] -= left;
-            if let Some(allowed) = k.checked_sub(from).and_then(|k| test.allowed.get_mut(k)) {
-                let independent = noise * noise / test.independence.max(1e-3);
-                *allowed = (*allowed * *allowed + independent + uncertain * uncertain).sqrt();
+            if let Some(scored) = k.checked_sub(from) {
+                widen(&mut test, scored, noise, uncertain);
             }
         }
         test.mean_noise = libm::hypot(test.mean_noise, noise);

@@ -17,9 +17,9 @@ const PULL: f64 = 5.0;
 /// Returns the range of a parameter over dampers of a size and their rigs. Returns `None` for a parameter without a prior. The range of a
 /// strength begins at zero, because an effect may be absent.
 pub fn prior_range(number: Number, scale: Scale) -> Option<(f64, f64)> {
-    let usual = distribution(number, scale)?;
-    let (low, high) = usual.interval(RARE);
-    Some(match usual {
+    let prior = distribution(number, scale)?;
+    let (low, high) = prior.interval(RARE);
+    Some(match prior {
         Distribution::Strength(..) => (0.0, high),
         _ if number == number!("gas_force") => (-PULL * scale.of_number(number), high),
         _ => (low, high),
@@ -51,7 +51,7 @@ mod tests {
     }
 
     #[test]
-    fn the_center_of_every_prior_is_usual_at_every_size() {
+    fn the_center_of_every_prior_is_not_rare_at_any_size() {
         for scale in [0.01, 1.0, 40.0].map(|times| Scale::of_force(1500.0 * times)) {
             for prior in PRIORS {
                 let center = distribution(prior.number, scale).unwrap().center();

@@ -30,12 +30,12 @@ impl Format {
 
     /// Formats a sentence.
     pub fn say(self, sentence: &Sentence) -> String {
-        restated::say(sentence, self.units, self.words())
+        restated::restate_sentence(sentence, self.units, self.words())
     }
 
     /// Formats a text of the reports, which states SI units and contains no names of tests.
     pub fn restate(self, text: &str) -> String {
-        restated::text(text, self.units, self.words())
+        restated::restate_text(text, self.units, self.words())
     }
 
     /// Formats a quantity, given in an SI unit, with four digits.

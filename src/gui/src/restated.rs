@@ -47,7 +47,7 @@ const BETWEEN: &[&str] =
 const BEHIND: &[&str] = &[" ± ", " (95 %: ", " (95 % : ", "（95 %：", " (95\u{a0}%: "];
 
 /// Formats a sentence in a language and in the selected units. Names in the sentence stay unchanged, even if they look like a quantity.
-pub fn say(sentence: &Sentence, units: Units, said: &Words) -> String {
+pub fn restate_sentence(sentence: &Sentence, units: Units, said: &Words) -> String {
     let text = said.say_with_marks(sentence);
     let (mut plain, mut numbers, mut words) = (String::new(), Vec::new(), Vec::new());
     for (k, piece) in text.split(VALUE).enumerate() {
@@ -63,7 +63,7 @@ pub fn say(sentence: &Sentence, units: Units, said: &Words) -> String {
 }
 
 /// Restates a text that contains no names of tests in the selected units.
-pub fn text(text: &str, units: Units, said: &Words) -> String {
+pub fn restate_text(text: &str, units: Units, said: &Words) -> String {
     let (mut numbers, mut at) = (Vec::new(), 0);
     while at < text.len() {
         let length = figures(&text[at..]);
@@ -194,11 +194,11 @@ mod tests {
             ("1.000·10⁻⁶ N", KILO, "1.000·10⁻⁶ N"),
             ("3 Nm, 2 Newton, 5 N-m2", KILO, "3 Nm, 2 Newton, 0.005 kN-m2"),
         ] {
-            assert_eq!(text(given, units, Language::English.words()), wanted);
+            assert_eq!(restate_text(given, units, Language::English.words()), wanted);
         }
-        let german = text("von 9,26 bis 9,62 N", POUNDS, Language::German.words());
+        let german = restate_text("von 9,26 bis 9,62 N", POUNDS, Language::German.words());
         assert_eq!(german, "von 2,08 bis 2,16 lbf");
         let default = "from 9.26 to 9.62 N, 25.0 mm, 100 N/mm";
-        assert_eq!(text(default, Units::default(), Language::English.words()), default);
+        assert_eq!(restate_text(default, Units::default(), Language::English.words()), default);
     }
 }

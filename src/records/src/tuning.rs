@@ -495,24 +495,24 @@ pub(crate) mod unit_slip {
     /// Relative deviation from the ratio of two units up to which a unit explains a ratio of velocity and derivative.
     /// Sensors have smaller errors, and no two units are so close.
     ///
-    /// Test: `the_unit_with_a_usual_test_is_first`.
+    /// Test: `the_unit_with_a_typical_test_is_first`.
     pub(crate) const EXACTNESS: f64 = 0.06;
 
-    /// Amplitude of a usual damper test, m. Of several units that explain a contradiction, that of the most usual test
+    /// Amplitude of a typical damper test, m. Of several units that explain a contradiction, that of the most typical test
     /// is likely. A wrong unit is wrong by a factor of ten or more, so a factor of two is irrelevant here.
     ///
-    /// Test: `the_unit_with_a_usual_test_is_first`.
-    pub(crate) const USUAL_AMPLITUDE: f64 = 0.02;
+    /// Test: `the_unit_with_a_typical_test_is_first`.
+    pub(crate) const TYPICAL_AMPLITUDE: f64 = 0.02;
 
-    /// Peak velocity of a usual damper test, m/s.
+    /// Peak velocity of a typical damper test, m/s.
     ///
-    /// Test: `the_unit_with_a_usual_test_is_first`.
-    pub(crate) const USUAL_SPEED: f64 = 0.2;
+    /// Test: `the_unit_with_a_typical_test_is_first`.
+    pub(crate) const TYPICAL_SPEED: f64 = 0.2;
 
-    /// Frequency of a usual damper test, Hz.
+    /// Frequency of a typical damper test, Hz.
     ///
-    /// Test: `the_unit_with_a_usual_test_is_first`.
-    pub(crate) const USUAL_FREQUENCY: f64 = 1.5;
+    /// Test: `the_unit_with_a_typical_test_is_first`.
+    pub(crate) const TYPICAL_FREQUENCY: f64 = 1.5;
 }
 
 /// Constants of `checks/unit_magnitude.rs`.

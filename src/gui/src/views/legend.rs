@@ -3,7 +3,7 @@
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Ui, WidgetInfo};
 
 /// Font size of legends and remarks on plots, px.
-pub const LETTERS: f32 = 11.5;
+pub const FONT_SIZE: f32 = 11.5;
 /// Largest number of marks of entries without a name. The hues of tests repeat after so many.
 const MARKS: usize = 8;
 
@@ -58,7 +58,7 @@ pub fn show(ui: &mut Ui, entries: &[Entry], most: usize) {
         ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
         let ink = ui.visuals().text_color();
         for of in entries.iter().take(most) {
-            let galley = ui.painter().layout_no_wrap(of.name.clone(), egui::FontId::proportional(LETTERS), ink);
+            let galley = ui.painter().layout_no_wrap(of.name.clone(), egui::FontId::proportional(FONT_SIZE), ink);
             // One allocation prevents a line break between the mark and its name.
             let (rect, entry) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
             entry.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, &of.name));
@@ -67,12 +67,12 @@ pub fn show(ui: &mut Ui, entries: &[Entry], most: usize) {
         }
         let Some(rest) = entries.get(most..).filter(|rest| !rest.is_empty()) else { return };
         for of in rest.iter().take(MARKS) {
-            let (rect, entry) = ui.allocate_exact_size(egui::vec2(12.0, LETTERS + 4.0), egui::Sense::hover());
+            let (rect, entry) = ui.allocate_exact_size(egui::vec2(12.0, FONT_SIZE + 4.0), egui::Sense::hover());
             entry.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, &of.name));
             of.draw(ui, rect, 10.0);
             entry.on_hover_text(&of.name);
         }
         let names: Vec<&str> = rest.iter().map(|entry| entry.name.as_str()).collect();
-        ui.label(RichText::new(format!("+{}", rest.len())).size(LETTERS)).on_hover_text(names.join("\n"));
+        ui.label(RichText::new(format!("+{}", rest.len())).size(FONT_SIZE)).on_hover_text(names.join("\n"));
     });
 }

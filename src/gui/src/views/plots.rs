@@ -5,7 +5,7 @@ use crate::session::outputs::table;
 use crate::session::{Session, model};
 use crate::units::Shown;
 use crate::views::grid;
-use crate::views::legend::{self, Entry, LETTERS, Mark};
+use crate::views::legend::{self, Entry, FONT_SIZE, Mark};
 use crate::views::lines::{Line as Drawn, Whose, identified_name, named};
 use crate::views::{View, hue};
 use crate::words::Words;
@@ -428,7 +428,7 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     // While the user drags a point, a remark in the corner of the plot shows why the point stopped.
     if let Some(why) = view.stopped {
         let at = mouse.rect.left_top() + Vec2::new(66.0, 6.0);
-        let font = egui::FontId::proportional(LETTERS + 1.0);
+        let font = egui::FontId::proportional(FONT_SIZE + 1.0);
         let galley = ui.painter().layout(
             why.text(words).to_owned(),
             font,

@@ -29,7 +29,7 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
-_NO_SETTING = "none"
+NO_SETTING = "none"
 """Setting that stands for none: tests at several settings are fitted as one damper."""
 
 
@@ -90,7 +90,7 @@ def fit(
     """
     wanted = None if elements is None else words(elements)
     drawing = None if dimensions is None else os.fspath(dimensions)
-    lumped = setting == _NO_SETTING
+    lumped = setting == NO_SETTING
     if setting is not None and not lumped:
         if not isinstance(setting, str):
             raise TypeError(f'setting is the name of what the tests were set to, such as "current", not a {type(setting).__name__}')
@@ -103,7 +103,7 @@ def fit(
         text, said, found = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told, drawing, lumped)
     chosen = [] if family == "thesis" else ["--model", family]
     if lumped:
-        chosen += ["--setting", _NO_SETTING]
+        chosen += ["--setting", NO_SETTING]
     made_from = origin(campaign, chosen, option("elements", wanted or ()), option("hold-out", words(hold_out)), _dimensions(drawing))
     return FittedModel(text, "damper.toml", replace(FitResult.from_dict(loads(said)), _made_from=(found, made_from)))
 

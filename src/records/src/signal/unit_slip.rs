@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
-use crate::tuning::unit_slip::{EXACTNESS, USUAL_AMPLITUDE, USUAL_FREQUENCY, USUAL_SPEED};
+use crate::tuning::unit_slip::{EXACTNESS, TYPICAL_AMPLITUDE, TYPICAL_FREQUENCY, TYPICAL_SPEED};
 use dashpot_messages::{Sentence, format_decimals};
 
 /// Size of a motion as it was read.
@@ -40,10 +40,11 @@ impl Candidate {
         self.speed / (TAU * self.amplitude)
     }
 
-    /// Returns how far the resulting test is from a usual damper test, as the sum of logarithmic distances.
-    fn strangeness(&self) -> f64 {
-        let sizes = [(self.amplitude, USUAL_AMPLITUDE), (self.speed, USUAL_SPEED), (self.frequency(), USUAL_FREQUENCY)];
-        sizes.iter().map(|(value, usual)| libm::log(value / usual).abs()).sum()
+    /// Returns how far the resulting test is from a typical damper test, as the sum of logarithmic distances.
+    fn distance_to_typical(&self) -> f64 {
+        let sizes =
+            [(self.amplitude, TYPICAL_AMPLITUDE), (self.speed, TYPICAL_SPEED), (self.frequency(), TYPICAL_FREQUENCY)];
+        sizes.iter().map(|(value, typical)| libm::log(value / typical).abs()).sum()
     }
 
     fn sentence(&self) -> Sentence {
@@ -65,11 +66,11 @@ fn digits(value: f64) -> String {
 }
 
 /// Returns the sentences on the units that explain a velocity of `gain` times the derivative of the displacement. The
-/// unit with the most usual test is first. `units` are the units in which the channels were read.
+/// unit with the most typical test is first. `units` are the units in which the channels were read.
 pub(crate) fn candidates(gain: f64, size: MotionSize, units: &[(Channel, Unit)]) -> Vec<Sentence> {
     let mut found: Vec<Candidate> =
         units.iter().flat_map(|(channel, read)| of_channel(gain, size, *channel, *read)).collect();
-    found.sort_by(|a, b| a.strangeness().total_cmp(&b.strangeness()));
+    found.sort_by(|a, b| a.distance_to_typical().total_cmp(&b.distance_to_typical()));
     found.iter().map(Candidate::sentence).collect()
 }
 
@@ -105,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn the_unit_with_a_usual_test_is_first() {
+    fn the_unit_with_a_typical_test_is_first() {
         use Unit::{Centimetre as Cm, Inch, InchPerSecond as InS, Metre as M, MetrePerSecond as MS, Millimetre as Mm};
         use Unit::{Millimetre, MillimetrePerSecond as MmS, Millisecond as Ms, Second as S};
         for (written, read, first) in [

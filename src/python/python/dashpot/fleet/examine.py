@@ -16,13 +16,13 @@ import numpy as np
 from .. import _native
 from ..campaign import Campaign
 from ..family import Family, FittedFamily
-from ..identification import diagnose, fit
+from ..identification import NO_SETTING, diagnose, fit
 from ..limits import Limit, rows
 from ..model import FittedModel, Model
 from ..certificate import missed
 from .files import Stamp, stamps
 from .jobs import Job
-from .settings import NO_SETTING, at_each_setting, diagnosed, has, label, named_option, settings_in
+from .settings import at_each_setting, diagnosed, has, label, named_option, settings_in, verdict_of
 
 #: Velocities, m/s, at which rows contain the force of the damper, so that FV curves with different points are comparable. They are peak
 #: velocities of the thesis's test matrix.
@@ -243,17 +243,11 @@ def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
     assert plan.reference_model is not None
     reference = Model(plan.reference_model, "reference.toml")
     found = diagnose(reference, campaign, _good(plan), max_effects=plan.max_effects, candidates=plan.candidates)
-    said: dict[str, Any] = {
-        "verdict": found.verdict,
+    return {
+        **verdict_of(found),
         "summary": found.summary,
         "changes": [{**asdict(change), "setting": None} for change in found.changes],
     }
-    if found.findings:
-        first = found.findings[0]
-        said.update(effect=first.effect, effect_form=first.form, effect_confidence=first.confidence)
-    elif found.suspects:
-        said.update(suspect=found.suspects[0].effect, suspect_confidence=found.suspects[0].confidence)
-    return said
 
 
 def _diagnose_over_settings(campaign: Campaign, plan: Plan, figures: dict[str, Any]) -> None:

@@ -12,13 +12,12 @@ import numpy as np
 from .. import _native
 from .._native import DashpotError, FitError
 from ..campaign import Campaign, Record
+from ..diagnosis import Diagnosis
 from ..diagnosis_settings import FamilyDiagnosis, SettingDiagnosis
 from ..family import Family
+from ..identification import NO_SETTING
 from ..model import Model
 from ..validation import Validation
-
-#: Setting that stands for none: tests at several settings are fitted as one damper.
-NO_SETTING = "none"
 
 
 def settings_in(records: Iterable[Record], name: str | None = None) -> list[float]:
@@ -84,7 +83,7 @@ _VERDICTS = ("nothing_missing", "cannot_tell", "unknown_effect", "changed")
 
 def diagnosed(found: FamilyDiagnosis) -> tuple[dict[str, Any], dict[float, dict[str, Any]]]:
     """Returns the entries of a diagnosis over the setting, for the whole damper and for each setting."""
-    each = {one.setting: of_one(one) for one in found.settings}
+    each = {one.setting: verdict_of(one) for one in found.settings}
     strength = {verdict: k for k, verdict in enumerate(_VERDICTS)}
     verdicts = [one["verdict"] for one in each.values()]
     said: dict[str, Any] = {
@@ -105,8 +104,8 @@ def diagnosed(found: FamilyDiagnosis) -> tuple[dict[str, Any], dict[float, dict[
     return said, each
 
 
-def of_one(one: SettingDiagnosis) -> dict[str, Any]:
-    """Returns the verdict of a diagnosis at one setting, with its effect or suspect."""
+def verdict_of(one: Diagnosis | SettingDiagnosis) -> dict[str, Any]:
+    """Returns the verdict of a diagnosis, of all tests or of those at one setting, with its effect or suspect."""
     said: dict[str, Any] = {"verdict": one.verdict}
     if one.findings:
         first = one.findings[0]

@@ -46,6 +46,15 @@ _CHANGE = pa.struct(
         ("setting", pa.float64()),
     ]
 )
+#: Verdict of a diagnosis, with its effect or suspect.
+_VERDICT = [
+    ("verdict", pa.string()),
+    ("effect", pa.string()),
+    ("effect_form", pa.string()),
+    ("effect_confidence", pa.float64()),
+    ("suspect", pa.string()),
+    ("suspect_confidence", pa.float64()),
+]
 _AT_SETTING = pa.struct(
     [
         ("setting", pa.float64()),
@@ -54,12 +63,7 @@ _AT_SETTING = pa.struct(
         ("rmse_n", pa.float64()),
         ("fv_error_percent", pa.float64()),
         ("forces", pa.list_(pa.float64())),
-        ("verdict", pa.string()),
-        ("effect", pa.string()),
-        ("effect_form", pa.string()),
-        ("effect_confidence", pa.float64()),
-        ("suspect", pa.string()),
-        ("suspect_confidence", pa.float64()),
+        *_VERDICT,
     ]
 )
 #: Columns that only parts contain: keys of the jobs, and measured values for limits.
@@ -90,12 +94,7 @@ SCHEMA = pa.schema(
         ("error_percent", pa.float64()),
         ("rmse_n", pa.float64()),
         ("fv_error_percent", pa.float64()),
-        ("verdict", pa.string()),
-        ("effect", pa.string()),
-        ("effect_form", pa.string()),
-        ("effect_confidence", pa.float64()),
-        ("suspect", pa.string()),
-        ("suspect_confidence", pa.float64()),
+        *_VERDICT,
         ("summary", pa.string()),
         ("changes", pa.list_(_CHANGE)),
         *((force_column(v), pa.float64()) for v in VELOCITIES),

@@ -4,7 +4,7 @@
 use super::Seen;
 use super::reference::Reference;
 use crate::numbers::median;
-use crate::tuning::deviating_tests::{AGREE, CLOSE, FEWEST, LEAST_CONTRAST, OF_OWN, SAME_MOTION, TIMES_SCATTER};
+use crate::tuning::deviating_tests::{AGREE, CLOSE, FEWEST, LEAST_CONTRAST, OF_OWN, TIMES_SCATTER};
 
 /// Setting whose tests a deviating test agrees with.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -81,15 +81,10 @@ impl<'a> Labels<'a> {
     /// Returns the deviations of the tests at other settings with the motion of `test`, each from the tests of its own
     /// setting, as natural logarithms.
     fn same_motion_elsewhere(&self, stated: usize, test: &Seen<'_>) -> Vec<f64> {
-        let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs();
-        let is_same = |other: &Seen<'_>| {
-            near(test.record.amplitude, other.record.amplitude)
-                && near(test.record.peak_velocity, other.record.peak_velocity)
-        };
         let elsewhere = self.settings.iter().zip(&self.own).enumerate().filter(|(setting, _)| *setting != stated);
         elsewhere
             .flat_map(|(_, (tests, own))| tests.iter().zip(own))
-            .filter(|(other, _)| is_same(other))
+            .filter(|(other, _)| test.has_motion_of(other))
             .filter_map(|(_, own)| *own)
             .collect()
     }

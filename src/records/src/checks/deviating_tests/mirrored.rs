@@ -8,11 +8,11 @@
 use super::Seen;
 use crate::numbers::median;
 use crate::quantities::setting_value::{SAME, Setting};
-use crate::tuning::deviating_tests::{LEAST_CONTRAST, OF_OWN, REPEATED, SAME_MOTION};
+use crate::tuning::deviating_tests::{LEAST_CONTRAST, OF_OWN, REPEATED};
 use std::collections::BTreeMap;
 
 /// Tests of one motion.
-struct Motion {
+struct MotionTests {
     /// Index of the setting and index of the test within the setting.
     tests: Vec<(usize, usize)>,
     /// Natural logarithms of the forces against the motion, N, of the tests at a setting, by velocity level and index
@@ -93,19 +93,17 @@ pub(super) fn mirrored_tests(settings: &[Vec<Seen<'_>>], mirror: &[Option<usize>
 }
 
 /// Groups the tests that state a setting by amplitude and peak velocity.
-fn motions(settings: &[Vec<Seen<'_>>]) -> Vec<Motion> {
-    let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs();
-    let mut motions: Vec<Motion> = Vec::new();
+fn motions(settings: &[Vec<Seen<'_>>]) -> Vec<MotionTests> {
+    let mut motions: Vec<MotionTests> = Vec::new();
     for (setting, tests) in settings.iter().enumerate() {
         for (place, test) in tests.iter().enumerate().filter(|(_, test)| test.record.setting.is_some()) {
-            let is_same = |motion: &&mut Motion| {
+            let is_same = |motion: &&mut MotionTests| {
                 let (setting, place) = motion.tests[0];
-                let first = settings[setting][place].record;
-                near(first.amplitude, test.record.amplitude) && near(first.peak_velocity, test.record.peak_velocity)
+                settings[setting][place].has_motion_of(test)
             };
             match motions.iter_mut().find(is_same) {
                 Some(motion) => motion.tests.push((setting, place)),
-                None => motions.push(Motion { tests: vec![(setting, place)], forces: BTreeMap::new() }),
+                None => motions.push(MotionTests { tests: vec![(setting, place)], forces: BTreeMap::new() }),
             }
         }
     }
@@ -123,7 +121,7 @@ fn motions(settings: &[Vec<Seen<'_>>]) -> Vec<Motion> {
 ///
 /// The first value is that with the labels as stated, the second that with the labels of one motion mirrored. Both are of the same tests, because a mean over fewer tests may be smaller by chance. Returns `None` if the motions
 /// share no velocity at two settings or more.
-fn disagreements(one: &Motion, other: &Motion, mirror: &[Option<usize>]) -> Option<[f64; 2]> {
+fn disagreements(one: &MotionTests, other: &MotionTests, mirror: &[Option<usize>]) -> Option<[f64; 2]> {
     // Differences of each velocity level, with the labels as stated and mirrored.
     let mut by_level: BTreeMap<i32, Vec<[f64; 2]>> = BTreeMap::new();
     for ((level, setting), forces) in &one.forces {

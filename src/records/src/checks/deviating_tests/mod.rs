@@ -40,7 +40,7 @@ use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::{Setting, setting_in_words};
 use crate::quantities::unit::Unit;
-use crate::tuning::deviating_tests::AS_LIKELY;
+use crate::tuning::deviating_tests::{AS_LIKELY, SAME_MOTION};
 use dashpot_messages::Sentence;
 use std::collections::{BTreeMap, HashMap};
 
@@ -65,6 +65,13 @@ struct Seen<'a> {
 impl Seen<'_> {
     fn unit(&self, channel: Channel) -> Option<Unit> {
         self.reading.units.iter().find(|(c, _)| *c == channel).map(|(_, unit)| *unit)
+    }
+
+    /// Returns whether another test has the same motion: about equal amplitude and peak velocity.
+    fn has_motion_of(&self, other: &Seen<'_>) -> bool {
+        let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs();
+        near(self.record.amplitude, other.record.amplitude)
+            && near(self.record.peak_velocity, other.record.peak_velocity)
     }
 
     fn step(&self) -> f64 {
