@@ -246,19 +246,17 @@ mod tests {
         assert!(page_of(kept, Language::English).contains("PASS. The damper keeps all limits (1)."));
         let missed = kept.replace("930", "890");
         let german = page_of(&missed, Language::German);
-        assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
+        assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwert nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
         // The certificate leaves missing metadata blank for handwriting, and has no date from the clock.
         assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
-        assert!(
-            untested.contains("INCOMPLETE. None of the 1 limits could be tested") && untested.contains("NOT TESTED")
-        );
+        assert!(untested.contains("INCOMPLETE. The limit could not be tested") && untested.contains("NOT TESTED"));
         assert!(untested.contains("class=\"lead verdict incomplete\"") && !untested.contains("FAIL"));
         let some = page_of(&format!("{kept}friction,,1,2\n"), Language::English);
-        assert!(some.contains("INCOMPLETE. The 1 limits tested are kept; 1 more could not be tested"));
+        assert!(some.contains("INCOMPLETE. The limit tested is kept; 1 more could not be tested"));
         let both = page_of(&format!("{missed}friction,,1,2\n"), Language::English);
-        assert!(both.contains("FAIL. 1 of the 1 limits tested are not kept; 1 more could not be tested"));
+        assert!(both.contains("FAIL. 1 of the 1 limit tested is not kept; 1 more could not be tested"));
         // The certificate explains the interpolation of a force between two tests.
         assert!(
             untested

@@ -446,7 +446,7 @@ fn groups_are_compared_with_one_reference() {
     for group in answers.split(|line| begins(&line)) {
         assert!(group.len() <= 4, "{told}");
     }
-    assert_eq!(ran.err.matches("hold 1 files that were not read").count(), 1, "{}", ran.err);
+    assert_eq!(ran.err.matches("hold 1 file that was not read").count(), 1, "{}", ran.err);
     assert!(ran.err.contains("(and 2 more such notes)"), "{}", ran.err);
     let all = json(&dir.join("g.json"));
     let groups = list(&all, "groups");
