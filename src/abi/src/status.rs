@@ -6,7 +6,7 @@
 use core::ffi::c_char;
 
 use dashpot_core::Reason;
-use dashpot_core::model_file::Problem;
+use dashpot_core::model_file::LineProblem;
 
 use crate::text::padded;
 
@@ -182,15 +182,15 @@ static TEXTS: [(i32, [u8; LENGTH]); 51] = [
         padded("the step cannot be computed: an input or the state is far from what a damper meets"),
     ),
     (DASHPOT_BUFFER_TOO_SHORT, padded("the caller's array is too short")),
-    (DASHPOT_FILE_SYNTAX, padded(Problem::Syntax.text())),
-    (DASHPOT_FILE_VALUE, padded(Problem::Value.text())),
-    (DASHPOT_FILE_REPEATED, padded(Problem::Repeated.text())),
-    (DASHPOT_FILE_FORMAT, padded(Problem::Format.text())),
-    (DASHPOT_FILE_NO_ELEMENTS, padded(Problem::NoElements.text())),
-    (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(Problem::UnknownElement.text())),
-    (DASHPOT_FILE_TOO_LONG, padded(Problem::TooLong.text())),
-    (DASHPOT_FILE_CUT_OFF, padded(Problem::CutOff.text())),
-    (DASHPOT_FILE_ELEMENT_TABLE, padded(Problem::ElementTable.text())),
+    (DASHPOT_FILE_SYNTAX, padded(LineProblem::Syntax.text())),
+    (DASHPOT_FILE_VALUE, padded(LineProblem::Value.text())),
+    (DASHPOT_FILE_REPEATED, padded(LineProblem::Repeated.text())),
+    (DASHPOT_FILE_FORMAT, padded(LineProblem::Format.text())),
+    (DASHPOT_FILE_NO_ELEMENTS, padded(LineProblem::NoElements.text())),
+    (DASHPOT_FILE_UNKNOWN_ELEMENT, padded(LineProblem::UnknownElement.text())),
+    (DASHPOT_FILE_TOO_LONG, padded(LineProblem::TooLong.text())),
+    (DASHPOT_FILE_CUT_OFF, padded(LineProblem::CutOff.text())),
+    (DASHPOT_FILE_ELEMENT_TABLE, padded(LineProblem::ElementTable.text())),
     (DASHPOT_SETTING_GRID, padded(Reason::SettingGrid.text())),
     (DASHPOT_SETTING_COUNT, padded(Reason::SettingCount.text())),
     (DASHPOT_SETTING_FIXED, padded(Reason::SettingFixed.text())),
@@ -250,23 +250,23 @@ impl From<Reason> for Rejected {
     }
 }
 
-impl From<Problem> for Rejected {
-    fn from(problem: Problem) -> Rejected {
+impl From<LineProblem> for Rejected {
+    fn from(problem: LineProblem) -> Rejected {
         Rejected(match problem {
-            Problem::Syntax => DASHPOT_FILE_SYNTAX,
-            Problem::Value => DASHPOT_FILE_VALUE,
-            Problem::Repeated => DASHPOT_FILE_REPEATED,
-            Problem::Format => DASHPOT_FILE_FORMAT,
-            Problem::NoElements => DASHPOT_FILE_NO_ELEMENTS,
-            Problem::UnknownElement => DASHPOT_FILE_UNKNOWN_ELEMENT,
-            Problem::TooLong => DASHPOT_FILE_TOO_LONG,
-            Problem::CutOff => DASHPOT_FILE_CUT_OFF,
-            Problem::ElementTable => DASHPOT_FILE_ELEMENT_TABLE,
-            Problem::Parameter(fault) => return fault.reason.into(),
-            Problem::Setting(reason) => return reason.into(),
+            LineProblem::Syntax => DASHPOT_FILE_SYNTAX,
+            LineProblem::Value => DASHPOT_FILE_VALUE,
+            LineProblem::Repeated => DASHPOT_FILE_REPEATED,
+            LineProblem::Format => DASHPOT_FILE_FORMAT,
+            LineProblem::NoElements => DASHPOT_FILE_NO_ELEMENTS,
+            LineProblem::UnknownElement => DASHPOT_FILE_UNKNOWN_ELEMENT,
+            LineProblem::TooLong => DASHPOT_FILE_TOO_LONG,
+            LineProblem::CutOff => DASHPOT_FILE_CUT_OFF,
+            LineProblem::ElementTable => DASHPOT_FILE_ELEMENT_TABLE,
+            LineProblem::Parameter(fault) => return fault.reason.into(),
+            LineProblem::Setting(reason) => return reason.into(),
             // Only a reader of dampers without a setting reports this problem, for the file of a family. This interface accepts both kinds
             // of file, so the case does not occur.
-            Problem::Family => DASHPOT_SETTING_GRID,
+            LineProblem::Family => DASHPOT_SETTING_GRID,
         })
     }
 }

@@ -7,7 +7,7 @@ use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::list::each_element;
 use crate::math::max;
 use crate::parameter::Params;
-use crate::parameter::groups::Place;
+use crate::parameter::groups::GroupIndex;
 use crate::paths::bits::{FADE, SERIES};
 use crate::paths::slots::states_of;
 use crate::paths::{Paths, RenewedPaths};
@@ -88,11 +88,11 @@ macro_rules! assembled {
             /// parameter.
             pub fn check(params: &Params) -> Result<(), Fault> {
                 type T = Owned;
-                let on = |place: Place| params.elements() & (1 << place as usize) != 0;
+                let on = |place: GroupIndex| params.elements() & (1 << place as usize) != 0;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
-                        if on(Place::$name) {
-                            checked::<$Type>(params, Place::$name as usize)?;
+                        if on(GroupIndex::$name) {
+                            checked::<$Type>(params, GroupIndex::$name as usize)?;
                         }
                     };
                 }
@@ -111,7 +111,7 @@ macro_rules! assembled {
 
             /// Returns the number of internal states of the elements that are on in a parameter set.
             pub(crate) fn memories_of(params: &Params) -> usize {
-                const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
+                const MEMORY: u64 = 0 $(| 1 << GroupIndex::$stateful as usize)*;
                 states_of(params) + (params.elements() & MEMORY).count_ones() as usize
             }
 
@@ -125,8 +125,8 @@ macro_rules! assembled {
                 type T = Owned;
                 $(
                     let mut $inner = <$Inner>::OFF;
-                    if params.elements() & (1 << Place::$inner as usize) != 0 {
-                        $inner.set(&params.view(Place::$inner as usize))?;
+                    if params.elements() & (1 << GroupIndex::$inner as usize) != 0 {
+                        $inner.set(&params.view(GroupIndex::$inner as usize))?;
                     }
                 )*
                 let mut steepest = 0.0;
@@ -144,7 +144,7 @@ macro_rules! assembled {
                 self.on = on;
                 macro_rules! each {
                     ($name:ident) => {
-                        placed(self.$name.kept(), on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                        placed(self.$name.kept(), on & (1 << GroupIndex::$name as usize) != 0, params, GroupIndex::$name as usize);
                     };
                 }
                 self.paths.set(params);
@@ -155,7 +155,7 @@ macro_rules! assembled {
                 $(each!($stop);)*
                 if self.paths.carries_whole() {
                     self.on |= CARRIES_WHOLE;
-                    $(if self.has(Place::$stateful) && self.$stateful.acts_on_mass() {
+                    $(if self.has(GroupIndex::$stateful) && self.$stateful.acts_on_mass() {
                         self.on |= STATES_ON_MASS;
                     })*
                 }
@@ -215,7 +215,7 @@ macro_rules! assembled {
 
         impl<T: Tables> Elements<T> {
             #[inline(always)]
-            fn has(&self, place: Place) -> bool {
+            fn has(&self, place: GroupIndex) -> bool {
                 self.on & (1 << place as usize) != 0
             }
 
@@ -262,7 +262,7 @@ macro_rules! assembled {
             #[inline(always)]
             pub fn inner(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$inner) { sum.add(self.$inner.force(at)); })*
+                $(if self.has(GroupIndex::$inner) { sum.add(self.$inner.force(at)); })*
                 sum
             }
 
@@ -270,14 +270,14 @@ macro_rules! assembled {
             /// a step.
             #[inline(always)]
             pub fn is_nonlinear(&self) -> bool {
-                false $(|| self.has(Place::$inner) && self.$inner.is_nonlinear())*
+                false $(|| self.has(GroupIndex::$inner) && self.$inner.is_nonlinear())*
             }
 
             /// Sums the forces of the inner elements; requires that [`Elements::is_nonlinear`] is false.
             #[inline(always)]
             pub fn linear_force(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$inner) { sum.add(self.$inner.linear_force(at)); })*
+                $(if self.has(GroupIndex::$inner) { sum.add(self.$inner.linear_force(at)); })*
                 sum
             }
 
@@ -286,7 +286,7 @@ macro_rules! assembled {
             #[inline(always)]
             pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$inner) { sum.add(self.$inner.at_once(at)?); })*
+                $(if self.has(GroupIndex::$inner) { sum.add(self.$inner.at_once(at)?); })*
                 Some(sum)
             }
 
@@ -294,7 +294,7 @@ macro_rules! assembled {
             #[inline(always)]
             pub fn friction(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$friction) { sum.add(self.$friction.force(at)); })*
+                $(if self.has(GroupIndex::$friction) { sum.add(self.$friction.force(at)); })*
                 sum
             }
 
@@ -302,7 +302,7 @@ macro_rules! assembled {
             #[inline(always)]
             pub fn friction_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$friction) { sum.add(self.$friction.at_once(at)?); })*
+                $(if self.has(GroupIndex::$friction) { sum.add(self.$friction.at_once(at)?); })*
                 Some(sum)
             }
 
@@ -310,7 +310,7 @@ macro_rules! assembled {
             #[inline(always)]
             pub fn preload(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$preload) { sum.add(self.$preload.force(at)); })*
+                $(if self.has(GroupIndex::$preload) { sum.add(self.$preload.force(at)); })*
                 sum
             }
 
@@ -318,21 +318,21 @@ macro_rules! assembled {
             #[inline(always)]
             pub fn preload_at_once(&self, at: &Motion) -> Option<Response> {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$preload) { sum.add(self.$preload.at_once(at)?); })*
+                $(if self.has(GroupIndex::$preload) { sum.add(self.$preload.at_once(at)?); })*
                 Some(sum)
             }
 
             /// Sums the forces of the stops at the ends of the stroke.
             pub fn stops(&self, at: &Motion) -> Response {
                 let mut sum = Response::NONE;
-                $(if self.has(Place::$stop) { sum.add(self.$stop.force(at)); })*
+                $(if self.has(GroupIndex::$stop) { sum.add(self.$stop.force(at)); })*
                 sum
             }
 
             /// Calls `visit` with the names of the parallel elements with internal states that are on, in the order of
             /// the element list.
             pub fn each_stateful_name(&self, mut visit: impl FnMut(&'static str)) {
-                $(if self.has(Place::$stateful) {
+                $(if self.has(GroupIndex::$stateful) {
                     visit(stringify!($stateful));
                 })*
             }
@@ -341,7 +341,7 @@ macro_rules! assembled {
             /// list.
             pub(crate) fn memory_bits(&self) -> u64 {
                 let (mut bits, mut next) = (0, 1);
-                $(if self.has(Place::$stateful) {
+                $(if self.has(GroupIndex::$stateful) {
                     bits |= next;
                 }
                 next <<= 1;)*
@@ -351,7 +351,7 @@ macro_rules! assembled {
 
             /// Returns the number of internal states of the elements that are on.
             pub fn memories(&self) -> usize {
-                const MEMORY: u64 = 0 $(| 1 << Place::$stateful as usize)*;
+                const MEMORY: u64 = 0 $(| 1 << GroupIndex::$stateful as usize)*;
                 self.paths.slots().count() + (self.on & MEMORY).count_ones() as usize
             }
 
@@ -366,7 +366,7 @@ macro_rules! assembled {
             /// Returns whether a parallel element is on that has an internal state or is a stop.
             #[inline(always)]
             pub fn has_stateful_or_stop(&self) -> bool {
-                const STATEFUL_OR_STOP: u64 = 0 $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
+                const STATEFUL_OR_STOP: u64 = 0 $(| 1 << GroupIndex::$stateful as usize)* $(| 1 << GroupIndex::$stop as usize)*;
                 self.on & STATEFUL_OR_STOP != 0
             }
 
@@ -374,7 +374,7 @@ macro_rules! assembled {
             /// the mass.
             #[inline(always)]
             pub fn is_plain_mass(&self) -> bool {
-                const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << Place::$stateful as usize)* $(| 1 << Place::$stop as usize)*;
+                const REST: u64 = Paths::<Owned>::MASS | CARRIES_WHOLE | Paths::<Owned>::COUPLED $(| 1 << GroupIndex::$stateful as usize)* $(| 1 << GroupIndex::$stop as usize)*;
                 self.on & REST == Paths::<Owned>::MASS
             }
 
@@ -383,7 +383,7 @@ macro_rules! assembled {
             #[inline(always)]
             pub fn visit_stateful(&self, visitor: &mut impl StateVisitor) {
                 let mut place = self.paths.slots().count();
-                $(if self.has(Place::$stateful) {
+                $(if self.has(GroupIndex::$stateful) {
                     visitor.visit(place, &*self.$stateful);
                     place += 1;
                 })*

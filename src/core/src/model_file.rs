@@ -48,12 +48,12 @@ pub struct ReadError {
     /// Index in the parameter table of the parameter that the line names, or [`NO_PARAMETER`].
     pub parameter: u16,
     /// Error in that line.
-    pub problem: Problem,
+    pub problem: LineProblem,
 }
 
 /// Kind of error in a model file.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Problem {
+pub enum LineProblem {
     /// The line is not `name = value`.
     Syntax,
     /// A value is invalid: it must be a number, a word in quotes, or a list of numbers or words.
@@ -80,30 +80,30 @@ pub enum Problem {
     Family,
 }
 
-impl Problem {
+impl LineProblem {
     /// Returns the message for the user.
     pub const fn text(self) -> &'static str {
         match self {
-            Problem::Syntax => "the line is not of the form name = value",
-            Problem::Value => "the value is not a number, a word in double quotes, or a list of them",
-            Problem::Repeated => "the name appears a second time",
-            Problem::Format => "the file must say format = 1; it was written for another version of dashpot",
-            Problem::NoElements => "the file must name its elements, such as elements = [\"fv_curve\"]",
-            Problem::UnknownElement => "elements names something that is no element of this version of dashpot",
-            Problem::TooLong => "the list has more than 64 numbers, which is more than any parameter takes",
-            Problem::CutOff => {
+            LineProblem::Syntax => "the line is not of the form name = value",
+            LineProblem::Value => "the value is not a number, a word in double quotes, or a list of them",
+            LineProblem::Repeated => "the name appears a second time",
+            LineProblem::Format => "the file must say format = 1; it was written for another version of dashpot",
+            LineProblem::NoElements => "the file must name its elements, such as elements = [\"fv_curve\"]",
+            LineProblem::UnknownElement => "elements names something that is no element of this version of dashpot",
+            LineProblem::TooLong => "the list has more than 64 numbers, which is more than any parameter takes",
+            LineProblem::CutOff => {
                 "the file was cut off: it ends before the [...] that its first comment announces; copy it again, or delete that comment"
             }
-            Problem::ElementTable => {
+            LineProblem::ElementTable => {
                 "parameters stand above the first [table], in no table of their own; write them there and delete this heading"
             }
-            Problem::Parameter(fault) => fault.reason.text(),
-            Problem::Setting(Reason::OutOfBounds) => {
+            LineProblem::Parameter(fault) => fault.reason.text(),
+            LineProblem::Setting(Reason::OutOfBounds) => {
                 "is out of its bounds: times, rates and hysteresis are not negative, a time is at most 100 s, a dead time 10 s, and the place in the hysteresis lies from -1 to 1"
             }
-            Problem::Setting(Reason::PointCount) => "is too long; at most 31 bytes",
-            Problem::Setting(reason) => reason.text(),
-            Problem::Family => {
+            LineProblem::Setting(Reason::PointCount) => "is too long; at most 31 bytes",
+            LineProblem::Setting(reason) => reason.text(),
+            LineProblem::Family => {
                 "the damper depends on this setting, and what was asked takes a damper at one setting; write that with dashpot setting FAMILY VALUE -o one.toml"
             }
         }
@@ -111,12 +111,12 @@ impl Problem {
 }
 
 /// Error for a name that is not in the parameter table.
-const UNKNOWN: Problem = Problem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
+const UNKNOWN: LineProblem = LineProblem::Parameter(Fault { parameter: NO_PARAMETER, reason: Reason::UnknownName });
 
 /// Beginning of the comment that announces the table after the lines of the damper.
 pub const ANNOUNCES: &str = "# The lines up to [";
 
-/// Largest number of values in one list. The text of [`Problem::TooLong`] also contains this number.
+/// Largest number of values in one list. The text of [`LineProblem::TooLong`] also contains this number.
 const LONGEST: usize = 64;
 
 /// Reads a model file into `params`; parameters that the file does not name have their defaults. Rejects a damper that
@@ -126,7 +126,7 @@ const LONGEST: usize = 64;
 /// Returns the first error with its line; `params` then stays unchanged.
 pub fn read(text: &[u8], params: &mut Params) -> Result<(), ReadError> {
     if let (_, _, Some(line)) = grid_of(text)? {
-        return Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::Family });
+        return Err(ReadError { line, parameter: NO_PARAMETER, problem: LineProblem::Family });
     }
     let mut scratch = Params::BLANK;
     read_into(text, &mut scratch, None)?;
@@ -161,7 +161,7 @@ pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result
     axis.clear();
     let (grid, count, line) = grid_of(text)?;
     let Some(line) = line else { return read_into(text, params, None) };
-    let wrong = |_| ReadError { line, parameter: NO_PARAMETER, problem: Problem::Setting(Reason::SettingGrid) };
+    let wrong = |_| ReadError { line, parameter: NO_PARAMETER, problem: LineProblem::Setting(Reason::SettingGrid) };
     axis.set_grid(grid.get(..count).unwrap_or(&[])).map_err(wrong)?;
     read_into(text, params, Some(axis))?;
     axis.put(params, axis.start());
@@ -190,7 +190,8 @@ fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadErr
             reader.skip_value();
             continue;
         }
-        let wrong = |line| ReadError { line, parameter: NO_PARAMETER, problem: Problem::Setting(Reason::SettingGrid) };
+        let wrong =
+            |line| ReadError { line, parameter: NO_PARAMETER, problem: LineProblem::Setting(Reason::SettingGrid) };
         let mut count = 0;
         reader.list(|value, line| {
             let (Value::Number(number), Some(slot)) = (value, grid.get_mut(count)) else { return Err(wrong(line)) };
@@ -225,39 +226,39 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
         let line = reader.line;
         let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
         match reader.peek() {
-            None if reader.announced => return Err(at(Problem::CutOff)),
+            None if reader.announced => return Err(at(LineProblem::CutOff)),
             None | Some(b'[') => break,
             Some(_) => {}
         }
-        let name = reader.name().ok_or(at(Problem::Syntax))?;
+        let name = reader.name().ok_or(at(LineProblem::Syntax))?;
         reader.blank(false);
         if !reader.take(b'=') {
-            return Err(at(Problem::Syntax));
+            return Err(at(LineProblem::Syntax));
         }
         reader.blank(false);
         match name {
             b"format" => {
-                let Some(Value::Number(number)) = reader.value() else { return Err(at(Problem::Format)) };
+                let Some(Value::Number(number)) = reader.value() else { return Err(at(LineProblem::Format)) };
                 if number != FORMAT {
-                    return Err(at(Problem::Format));
+                    return Err(at(LineProblem::Format));
                 }
                 if has_format {
-                    return Err(at(Problem::Repeated));
+                    return Err(at(LineProblem::Repeated));
                 }
                 has_format = true;
             }
             b"elements" => {
                 if has_elements {
-                    return Err(at(Problem::Repeated));
+                    return Err(at(LineProblem::Repeated));
                 }
                 has_elements = true;
                 reader.list(|value, line| {
                     let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
-                    let Value::Word(word) = value else { return Err(at(Problem::Value)) };
+                    let Value::Word(word) = value else { return Err(at(LineProblem::Value)) };
                     let named = Element::all().find(|element| element.name().as_bytes() == word);
-                    let element = named.ok_or(at(Problem::UnknownElement))?;
+                    let element = named.ok_or(at(LineProblem::UnknownElement))?;
                     if read.is_on(element) {
-                        return Err(at(Problem::Repeated));
+                        return Err(at(LineProblem::Repeated));
                     }
                     read.enable(element, true);
                     Ok(())
@@ -272,10 +273,10 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
                 };
                 match seen_of_setting.get_mut(index) {
                     Some(seen) if !*seen => *seen = true,
-                    _ => return Err(at(Problem::Repeated)),
+                    _ => return Err(at(LineProblem::Repeated)),
                 }
                 if settings == 0 {
-                    return Err(at(Problem::Setting(Reason::SettingGrid)));
+                    return Err(at(LineProblem::Setting(Reason::SettingGrid)));
                 }
                 reader.setting(index, axis.as_deref_mut())?;
             }
@@ -283,7 +284,7 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
                 let row = table().find(|row| row.parameter.name.as_bytes() == name).ok_or(at(UNKNOWN))?;
                 let of_row = |error| ReadError { parameter: row.index as u16, ..error };
                 if seen.get(row.index) == Some(&true) {
-                    return Err(of_row(at(Problem::Repeated)));
+                    return Err(of_row(at(LineProblem::Repeated)));
                 }
                 if let Some(seen) = seen.get_mut(row.index) {
                     *seen = true;
@@ -298,15 +299,15 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
         }
         reader.blank(false);
         if !matches!(reader.peek(), None | Some(b'\n')) {
-            return Err(at(Problem::Syntax));
+            return Err(at(LineProblem::Syntax));
         }
     }
     reader.refuse_element_tables()?;
     if !has_format {
-        return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: Problem::Format });
+        return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: LineProblem::Format });
     }
     if !has_elements {
-        return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: Problem::NoElements });
+        return Err(ReadError { line: 1, parameter: NO_PARAMETER, problem: LineProblem::NoElements });
     }
     Ok(())
 }
@@ -321,14 +322,16 @@ pub fn name_at<'a>(text: &'a [u8], error: &ReadError) -> Option<&'a [u8]> {
     let (from, to) = line_at(text, error.line)?;
     let line = text.get(from..to)?;
     let found = match error.problem {
-        Problem::UnknownElement => {
+        LineProblem::UnknownElement => {
             find_word(line, |word| Element::all().all(|element| element.name().as_bytes() != word))?
         }
-        Problem::Parameter(Fault { reason: Reason::UnknownName, .. }) | Problem::Setting(_) | Problem::Family => {
+        LineProblem::Parameter(Fault { reason: Reason::UnknownName, .. })
+        | LineProblem::Setting(_)
+        | LineProblem::Family => {
             let end = line.iter().position(|b| *b == b'=').unwrap_or(line.len());
             line.get(..end)?.trim_ascii()
         }
-        Problem::Repeated if error.parameter == NO_PARAMETER => {
+        LineProblem::Repeated if error.parameter == NO_PARAMETER => {
             let up_to = text.get(..to)?;
             find_word(line, |word| count_words(up_to, word) > 1)?
         }
@@ -422,13 +425,13 @@ impl<'a> Reader<'a> {
     fn setting(&mut self, index: usize, axis: Option<&mut Axis>) -> Result<(), ReadError> {
         let line = self.line;
         let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
-        let wrong = |fault: Fault| at(Problem::Setting(fault.reason));
+        let wrong = |fault: Fault| at(LineProblem::Setting(fault.reason));
         if index == ENTRIES.len() {
             // The grid was already read and checked before all other entries.
             self.skip_value();
             return Ok(());
         }
-        match self.value().ok_or(at(Problem::Value))? {
+        match self.value().ok_or(at(LineProblem::Value))? {
             Value::Number(number) if index < ENTRIES.len() => {
                 check_entry(index, number).map_err(wrong)?;
                 axis.map_or(Ok(()), |axis| axis.set_number(index, number)).map_err(wrong)
@@ -440,7 +443,7 @@ impl<'a> Reader<'a> {
                 })
                 .map_err(wrong)
             }
-            _ => Err(at(Problem::Value)),
+            _ => Err(at(LineProblem::Value)),
         }
     }
 
@@ -456,7 +459,7 @@ impl<'a> Reader<'a> {
     ) -> Result<(), ReadError> {
         let line = self.line;
         let at = |problem| ReadError { line, parameter: row.index as u16, problem };
-        let fault = |reason| at(Problem::Parameter(Fault { parameter: row.index as u16, reason }));
+        let fault = |reason| at(LineProblem::Parameter(Fault { parameter: row.index as u16, reason }));
         let of_table = |found: Fault| fault(found.reason);
         if let Ok(number) = Number::try_from(row) {
             if !matches!(row.parameter.shape, Shape::Scalar) {
@@ -464,7 +467,7 @@ impl<'a> Reader<'a> {
             }
             let (mut values, mut count) = ([0.0; MAX_GRID], 0);
             self.list(|value, line| {
-                let Value::Number(value) = value else { return Err(ReadError { line, ..at(Problem::Value) }) };
+                let Value::Number(value) = value else { return Err(ReadError { line, ..at(LineProblem::Value) }) };
                 *values.get_mut(count).ok_or(fault(Reason::SettingCount))? = value;
                 count += 1;
                 Ok(())
@@ -490,8 +493,8 @@ impl<'a> Reader<'a> {
             let line = self.line;
             let (mut forces, mut count) = ([0.0; LONGEST], 0);
             self.list(|value, line| {
-                let Value::Number(value) = value else { return Err(ReadError { line, ..at(Problem::Value) }) };
-                *forces.get_mut(count).ok_or(ReadError { line, ..at(Problem::TooLong) })? = value;
+                let Value::Number(value) = value else { return Err(ReadError { line, ..at(LineProblem::Value) }) };
+                *forces.get_mut(count).ok_or(ReadError { line, ..at(LineProblem::TooLong) })? = value;
                 count += 1;
                 Ok(())
             })?;
@@ -516,7 +519,7 @@ impl<'a> Reader<'a> {
             index += 1;
             self.blank(true);
             if !self.take(b',') && self.peek() != Some(b']') {
-                return Err(at(Problem::Value));
+                return Err(at(LineProblem::Value));
             }
         }
         if index == settings { Ok(()) } else { Err(fault(Reason::SettingCount)) }
@@ -555,7 +558,7 @@ impl<'a> Reader<'a> {
     fn parameter(&mut self, row: Row, read: &mut Params) -> Result<(), ReadError> {
         let line = self.line;
         let at = |problem| ReadError { line, parameter: row.index as u16, problem };
-        let fault = |reason| at(Problem::Parameter(Fault { parameter: row.index as u16, reason }));
+        let fault = |reason| at(LineProblem::Parameter(Fault { parameter: row.index as u16, reason }));
         let set = match row.parameter.shape {
             Shape::List(_) => {
                 let mut numbers = [0.0; LONGEST];
@@ -565,9 +568,9 @@ impl<'a> Reader<'a> {
                 }
                 self.list(|value, line| {
                     let Value::Number(number) = value else {
-                        return Err(ReadError { line, ..at(Problem::Value) });
+                        return Err(ReadError { line, ..at(LineProblem::Value) });
                     };
-                    let slot = numbers.get_mut(count).ok_or(ReadError { line, ..at(Problem::TooLong) })?;
+                    let slot = numbers.get_mut(count).ok_or(ReadError { line, ..at(LineProblem::TooLong) })?;
                     *slot = number;
                     count += 1;
                     Ok(())
@@ -575,7 +578,7 @@ impl<'a> Reader<'a> {
                 List::try_from(row).and_then(|list| read.set_list(list, numbers.get(..count).unwrap_or(&[])))
             }
             Shape::Choice(words) => {
-                let Some(Value::Word(word)) = self.value() else { return Err(at(Problem::Value)) };
+                let Some(Value::Word(word)) = self.value() else { return Err(at(LineProblem::Value)) };
                 let place = words.iter().position(|w| w.as_bytes() == word).ok_or(fault(Reason::NotAChoice))?;
                 Number::try_from(row).and_then(|choice| read.set(choice, place as f64))
             }
@@ -583,7 +586,7 @@ impl<'a> Reader<'a> {
                 if self.peek() == Some(b'[') {
                     return Err(fault(Reason::WrongShape));
                 }
-                let Some(Value::Number(number)) = self.value() else { return Err(at(Problem::Value)) };
+                let Some(Value::Number(number)) = self.value() else { return Err(at(LineProblem::Value)) };
                 Number::try_from(row).and_then(|of| read.set(of, number))
             }
         };
@@ -649,7 +652,7 @@ impl<'a> Reader<'a> {
                 && let Some(name) = self.name()
                 && GROUPS.iter().any(|group| group.name.as_bytes() == name)
             {
-                return Err(ReadError { line, parameter: NO_PARAMETER, problem: Problem::ElementTable });
+                return Err(ReadError { line, parameter: NO_PARAMETER, problem: LineProblem::ElementTable });
             }
             while self.peek().is_some_and(|c| c != b'\n') {
                 self.advance();
@@ -675,7 +678,7 @@ impl<'a> Reader<'a> {
     }
 
     fn list(&mut self, mut each: impl FnMut(Value<'a>, u32) -> Result<(), ReadError>) -> Result<(), ReadError> {
-        let wrong = |line| ReadError { line, parameter: NO_PARAMETER, problem: Problem::Value };
+        let wrong = |line| ReadError { line, parameter: NO_PARAMETER, problem: LineProblem::Value };
         if !self.take(b'[') {
             return Err(wrong(self.line));
         }
@@ -743,7 +746,7 @@ mod tests {
         // The reader of ordinary dampers rejects the file and changes nothing.
         let mut plain = Params::new();
         let error = read(OVER_CURRENT.as_bytes(), &mut plain).unwrap_err();
-        assert_eq!((error.line, error.problem), (9, Problem::Family));
+        assert_eq!((error.line, error.problem), (9, LineProblem::Family));
         assert_eq!(name_at(OVER_CURRENT.as_bytes(), &error), Some(&b"setting"[..]));
         assert_eq!(plain, Params::new());
         // After reading an ordinary damper, the axis has no grid and no values.
@@ -761,8 +764,7 @@ mod tests {
             assert!(params == Params::new() && !axis.is_some());
             error
         };
-        let row =
-            |reason| move |problem: Problem| matches!(problem, Problem::Parameter(fault) if fault.reason == reason);
+        let row = |reason| move |problem: LineProblem| matches!(problem, LineProblem::Parameter(fault) if fault.reason == reason);
         for (text, line, reason) in [
             ("gas_force = [1, 2, 3]", 4, Reason::SettingCount),
             ("gas_force = [1]", 4, Reason::SettingCount),
@@ -778,17 +780,17 @@ mod tests {
             assert!(error.line == line && row(reason)(error.problem), "{text}: {error:?}");
         }
         for (text, line, problem) in [
-            ("setting_time_up = -1", 4, Problem::Setting(Reason::OutOfBounds)),
-            ("setting_time_up = [1]", 4, Problem::Value),
-            ("setting_name = 3", 4, Problem::Value),
+            ("setting_time_up = -1", 4, LineProblem::Setting(Reason::OutOfBounds)),
+            ("setting_time_up = [1]", 4, LineProblem::Value),
+            ("setting_name = 3", 4, LineProblem::Value),
             (
                 "setting_name = \"a name that is longer than there is room for\"",
                 4,
-                Problem::Setting(Reason::PointCount),
+                LineProblem::Setting(Reason::PointCount),
             ),
-            ("setting_unit = \"A\"\nsetting_unit = \"A\"", 5, Problem::Repeated),
+            ("setting_unit = \"A\"\nsetting_unit = \"A\"", 5, LineProblem::Repeated),
             ("setting_tine_up = 1", 4, UNKNOWN),
-            ("gas_force = [1, x]", 4, Problem::Value),
+            ("gas_force = [1, x]", 4, LineProblem::Value),
         ] {
             let error = wrong(&format!("{head}{text}\n"));
             assert_eq!((error.line, error.problem), (line, problem), "{text}");
@@ -796,13 +798,14 @@ mod tests {
         for grid in ["[1.0]", "[1, 1]", "[2, 1]", "[1, 2, 3, 4, 5, 6, 7, 8, 9]", "[]", "3", "[\"a\", \"b\"]"] {
             let error = wrong(&format!("format = 1\nelements = []\nsetting = {grid}\n"));
             assert!(
-                matches!(error.problem, Problem::Setting(Reason::SettingGrid) | Problem::Value) && error.line == 3,
+                matches!(error.problem, LineProblem::Setting(Reason::SettingGrid) | LineProblem::Value)
+                    && error.line == 3,
                 "{grid}: {error:?}"
             );
         }
         // Without a grid, an entry of the setting is an error.
         let error = wrong("format = 1\nelements = []\nsetting_time_up = 1\n");
-        assert_eq!((error.line, error.problem), (3, Problem::Setting(Reason::SettingGrid)));
+        assert_eq!((error.line, error.problem), (3, LineProblem::Setting(Reason::SettingGrid)));
         let error = wrong("format = 1\nelements = []\ngas_force = [1, 2]\n");
         assert!(row(Reason::WrongShape)(error.problem));
         let many: std::vec::Vec<_> = table()
@@ -832,7 +835,7 @@ mod tests {
             assert_eq!(refused, cut <= whole.rfind('[').unwrap(), "{cut} of {end}: {:?}", &whole[..cut]);
         }
         let cut = read(&whole.as_bytes()[..whole.find("1.93").unwrap()], &mut Params::new()).unwrap_err();
-        assert!(cut.problem == Problem::CutOff && cut.line == 6, "{cut:?}");
+        assert!(cut.problem == LineProblem::CutOff && cut.line == 6, "{cut:?}");
     }
 
     #[test]
@@ -846,11 +849,11 @@ mod tests {
             ("[[fv_curve]]", 3),
         ] {
             let error = refused(&format!("{head}{rest}"));
-            assert_eq!((error.line, error.problem), (line, Problem::ElementTable), "{rest}");
+            assert_eq!((error.line, error.problem), (line, LineProblem::ElementTable), "{rest}");
         }
         // This error precedes the error of a missing `format`, because a file with its elements in tables has no lines
         // above them.
-        assert_eq!(refused("[fv_curve]\n").problem, Problem::ElementTable);
+        assert_eq!(refused("[fv_curve]\n").problem, LineProblem::ElementTable);
         for rest in ["[fv_curves]\n", "# [fv_curve]\n", "[notes]\nwhy = \"[fv_curve]\"\n"] {
             assert!(read(format!("{head}{rest}").as_bytes(), &mut Params::new()).is_ok(), "{rest}");
         }
@@ -860,13 +863,13 @@ mod tests {
     fn errors_name_the_line_and_change_nothing() {
         let head = "format = 1\nelements = []\n";
         let cases = [
-            ("gas_force 5", 3, None, Problem::Syntax),
-            ("gas_force = 1,5", 3, None, Problem::Syntax),
-            ("gas_force = five", 3, Some("gas_force"), Problem::Value),
-            ("gas_force = \"five\"", 3, Some("gas_force"), Problem::Value),
-            ("gas_force = 5\ngas_force = 6", 4, Some("gas_force"), Problem::Repeated),
-            ("fv_force = [1,\n2,\nx]", 5, Some("fv_force"), Problem::Value),
-            ("elements = [\"x\"]", 3, None, Problem::Repeated),
+            ("gas_force 5", 3, None, LineProblem::Syntax),
+            ("gas_force = 1,5", 3, None, LineProblem::Syntax),
+            ("gas_force = five", 3, Some("gas_force"), LineProblem::Value),
+            ("gas_force = \"five\"", 3, Some("gas_force"), LineProblem::Value),
+            ("gas_force = 5\ngas_force = 6", 4, Some("gas_force"), LineProblem::Repeated),
+            ("fv_force = [1,\n2,\nx]", 5, Some("fv_force"), LineProblem::Value),
+            ("elements = [\"x\"]", 3, None, LineProblem::Repeated),
         ];
         for (tail, line, name, problem) in cases {
             let parameter = name.and_then(crate::parameter::find).map_or(NO_PARAMETER, |row| row.index as u16);
@@ -876,7 +879,7 @@ mod tests {
             assert_eq!(params, Params::new());
         }
         let parameter = |text: &str| match read(std::format!("{head}{text}").as_bytes(), &mut Params::new()) {
-            Err(ReadError { line: 3, problem: Problem::Parameter(fault), .. }) => fault.reason,
+            Err(ReadError { line: 3, problem: LineProblem::Parameter(fault), .. }) => fault.reason,
             other => panic!("{text}: {other:?}"),
         };
         assert_eq!(parameter("gas_forse = 5"), Reason::UnknownName);
@@ -885,11 +888,11 @@ mod tests {
         assert_eq!(parameter("fv_force = 5"), Reason::WrongShape);
         assert_eq!(parameter("fv_form = \"round\""), Reason::NotAChoice);
         let problem = |text: &str| read(text.as_bytes(), &mut Params::new()).unwrap_err().problem;
-        assert_eq!(problem("elements = []"), Problem::Format);
-        assert_eq!(problem("format = 2\nelements = []"), Problem::Format);
-        assert_eq!(problem("format = 1"), Problem::NoElements);
-        assert_eq!(problem("format = 1\nelements = [\"warp_drive\"]"), Problem::UnknownElement);
-        assert_eq!(problem("format = 1\nelements = [\"fv_curve\",\n\"fv_curve\"]"), Problem::Repeated);
+        assert_eq!(problem("elements = []"), LineProblem::Format);
+        assert_eq!(problem("format = 2\nelements = []"), LineProblem::Format);
+        assert_eq!(problem("format = 1"), LineProblem::NoElements);
+        assert_eq!(problem("format = 1\nelements = [\"warp_drive\"]"), LineProblem::UnknownElement);
+        assert_eq!(problem("format = 1\nelements = [\"fv_curve\",\n\"fv_curve\"]"), LineProblem::Repeated);
         let name = |text: &'static str| {
             read(text.as_bytes(), &mut Params::new())
                 .err()
@@ -902,6 +905,6 @@ mod tests {
         );
         assert_eq!(name("format = 1\nelements = [\"fv_curve\"]\ngas_forse = 5"), Some("gas_forse"));
         assert_eq!(name("format = 2\n"), None);
-        assert_eq!(problem(""), Problem::Format);
+        assert_eq!(problem(""), LineProblem::Format);
     }
 }

@@ -273,7 +273,7 @@ pub fn advance_paths(
     follow: &mut impl paths::FollowPaths,
     output: &mut Output,
 ) {
-    advance_paths_with(model, state, to, dt, &mut paths::Told(follow), output);
+    advance_paths_with(model, state, to, dt, &mut paths::FollowedStages(follow), output);
 }
 
 fn advance_paths_with(

@@ -3,7 +3,7 @@
 use super::advice::Advice;
 use super::calibration::confidence;
 use super::changes::{Change, changes};
-use super::decisions::{MATERIAL, NAMED, QUIET, UNEXPLAINED};
+use super::decisions::{MATERIAL, MISSED, NAMED, QUIET, UNEXPLAINED};
 use super::detection_limit;
 use super::effects::{self, meaning};
 use super::name_of::name_of;
@@ -11,7 +11,7 @@ use super::outcome::*;
 use super::prepared::Against;
 use super::rivals::{LISTED, Open, explained};
 use super::wording::{percent, physical};
-use super::{improved, next_test, phrases, regions, tree, untestable};
+use super::{improved, phrases, proposed_test, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
 use dashpot_estimation::hypothesis::{Free, Hypothesis};
@@ -43,9 +43,6 @@ const UNDECIDED: usize = 3;
 /// error. Unnamed errors are tilted guides, load cell hysteresis and a resonance. The threshold represents the prior
 /// odds of such an error.
 const UNNAMED: f64 = 1.0;
-/// Mean square residual above which a diagnosis without findings lists a test in a note. It is relative to the square
-/// of the error expected from noise and curve form.
-const LOUD: f64 = 4.0;
 
 /// Records, tests and structures from which the outcome of a diagnosis is composed.
 pub(super) struct Composed<'a> {
@@ -200,7 +197,7 @@ impl Composed<'_> {
         let or_warm_gas = (effects.contains(&"force_drift") && !self.situation.temperature_measured)
             .then(|| phrases::OR_WARM_GAS.into());
         let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
-        let findings = self.findings(&names, &inventory, &tree, &probability, &ends);
+        let findings = self.findings(&names, &inventory, &tree, &probability, &ends, &judged.suspects);
         let estimates = improved::estimates(&self.best, known.as_deref());
         let too_small = (!immaterial.is_empty()).then(|| {
             let effects = immaterial.iter().map(|c| c.effect);
@@ -321,12 +318,21 @@ impl Composed<'_> {
             let also: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
             let also = (!also.is_empty())
                 .then(|| Sentence::from(phrases::ALSO_CHANGED).with_list("changes", also, phrases::COMMA));
-            let rest = if after.sqrt() <= QUIET { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
+            // The mean over tests may be at the level of the noise although the model misses one test clearly.
+            let missed = self.missed_tests();
+            let is_complete = after.sqrt() <= QUIET && missed.is_none();
+            notes.extend(missed);
+            let rest = if is_complete { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
+            let [before, after] = [before, after].map(|mean_square| format!("{:.2}", mean_square.sqrt()));
+            // A more probable structure may have fewer or other parameters and no smaller residual.
+            let falls = self.best.evidence.mean() < self.start.evidence.mean() && before != after;
+            let residual = Sentence::from(if falls { phrases::RESIDUAL_FALLS } else { phrases::RESIDUAL_STAYS })
+                .with("before", before)
+                .with("after", after);
             let summary =
                 Sentence::from(if self.against.is_some() { phrases::NEW_EFFECT } else { phrases::HAS_EFFECT })
                     .with_list("names", names, phrases::COMMA)
-                    .with("before", format!("{:.2}", before.sqrt()))
-                    .with("after", format!("{:.2}", after.sqrt()))
+                    .with_sentence("residual", residual)
                     .with_sentence("rest", Sentence::from(rest))
                     .with_any("also", also);
             return Judged { verdict: Verdict::Named, summary, suspects, notes };
@@ -350,27 +356,7 @@ impl Composed<'_> {
         let unnamed = self.search.unnamed.iter().max_by(|a, b| a.1.total_cmp(&b.1));
         let looks_like = unnamed.filter(|(_, log)| *log > self.search.best.log_posterior + UNNAMED);
         if after.sqrt() <= QUIET && suspects.iter().all(|r| r.confidence < 0.5 * NAMED) && gone.is_empty() {
-            let mut loud: Vec<(&Test, f64)> = self
-                .fitted
-                .iter()
-                .zip(&self.best.evidence.mean_squares)
-                .filter(|(_, square)| **square > LOUD)
-                .map(|(test, square)| (test, square.sqrt()))
-                .collect();
-            loud.sort_by(|a, b| b.1.total_cmp(&a.1));
-            // A record may be divided into sections, each of which is a test. The note names such a record once, with
-            // its worst section.
-            let mut named = BTreeSet::new();
-            loud.retain(|(test, _)| named.insert(test.record));
-            if !loud.is_empty() {
-                let told = |(t, times): &(&Test, f64)| {
-                    Sentence::from(phrases::TEST_AND_TIMES)
-                        .with("test", &t.segment.name)
-                        .with("times", format!("{times:.1}"))
-                };
-                let tests = loud.iter().take(LISTED).map(told).collect();
-                notes.push(Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA));
-            }
+            notes.extend(self.missed_tests());
             notes.extend(detection_limit::note(&self.fitted, &self.best.evidence.mean_squares));
             let none = (1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>()).clamp(0.01, 0.99);
             let nothing = if self.against.is_some() { phrases::UNCHANGED } else { phrases::NOTHING_MISSING };
@@ -405,6 +391,27 @@ impl Composed<'_> {
         Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
     }
 
+    /// Names the tests in which the residual of the best structure exceeds [`MISSED`]. Returns `None` if there is none.
+    fn missed_tests(&self) -> Option<Sentence> {
+        let mut loud: Vec<(&Test, f64)> = self
+            .fitted
+            .iter()
+            .zip(&self.best.evidence.mean_squares)
+            .filter(|(_, square)| **square > MISSED * MISSED)
+            .map(|(test, square)| (test, square.sqrt()))
+            .collect();
+        loud.sort_by(|a, b| b.1.total_cmp(&a.1));
+        // A record may be divided into sections, each of which is a test. The note names such a record once, with its
+        // worst section.
+        let mut named = BTreeSet::new();
+        loud.retain(|(test, _)| named.insert(test.record));
+        let told = |(t, times): &(&Test, f64)| {
+            Sentence::from(phrases::TEST_AND_TIMES).with("test", &t.segment.name).with("times", format!("{times:.1}"))
+        };
+        let tests: Vec<Sentence> = loud.iter().take(LISTED).map(told).collect();
+        (!tests.is_empty()).then(|| Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA))
+    }
+
     /// Returns the trials, most probable first. Each trial adds one form of an effect to the best structure.
     fn tried(&self, probability: &dyn Fn(&str) -> f64) -> Vec<Trial> {
         let before = &self.search.best.evidence;
@@ -436,6 +443,7 @@ impl Composed<'_> {
         tree: &[tree::Branch],
         probability: &dyn Fn(&str) -> f64,
         ends: &[[f64; 2]],
+        suspects: &[Rival],
     ) -> Vec<Finding> {
         let (hypothesis, theta) = (&self.best.hypothesis, &self.best.refit.theta);
         let (whole, before) = (self.best.evidence.mean(), self.start.evidence.mean());
@@ -478,7 +486,9 @@ impl Composed<'_> {
                 family,
                 confidence: probability(effect),
                 family_confidence: family_confidence.max(probability(effect)).min(1.0),
-                fraction: ((without - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
+                // Without the effect, the structure may fit worse than the given model, because other elements follow
+                // from it. The effect explains no more than the given model missed.
+                fraction: ((without.min(before) - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
                 force_n_rms: item.map_or(0.0, |i| i.force_n_rms),
                 of_the_rig: component.is_of_measurement(),
                 parameters,
@@ -492,7 +502,13 @@ impl Composed<'_> {
                     negative_log_prior: self.best.evidence.negative_log_prior - other.evidence.negative_log_prior,
                     tests_better: better as f64 / self.fitted.len().max(1) as f64,
                 },
-                rivals: self.open(probability).rivals(effect),
+                // A suspect may be missing in addition to the named effect, not instead of it.
+                rivals: self
+                    .open(probability)
+                    .rivals(effect)
+                    .into_iter()
+                    .filter(|rival| suspects.iter().all(|suspect| suspect.effect != rival.effect))
+                    .collect(),
             }
         };
         names.iter().map(one).collect()
@@ -524,7 +540,9 @@ impl Composed<'_> {
             errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
         };
         let (before, with, less) = (of(&self.start)?, of(&self.best)?, of(less)?);
-        (before > 1.02 * noise).then(|| ((less - with) / (before - noise)).clamp(-1.0, 1.0))
+        // Without the effect, the structure may fit worse than the given model. That part was never a gap. If the error
+        // with the effect is larger, no gap reopens.
+        (before > 1.02 * noise).then(|| ((less.min(before) - with) / (before - noise)).clamp(0.0, 1.0))
     }
 
     /// Returns the accuracy of the integration that computes the residuals. A comparison with a reference uses the low
@@ -603,10 +621,10 @@ impl Composed<'_> {
         {
             return Vec::new();
         }
-        let mut rivals: Vec<next_test::Rival> = Vec::new();
+        let mut rivals: Vec<proposed_test::Rival> = Vec::new();
         if let Some(first) = names.first() {
             let structure = &self.search.best;
-            rivals.push(next_test::Rival {
+            rivals.push(proposed_test::Rival {
                 effect: first.effect,
                 hypothesis: &structure.hypothesis,
                 theta: &structure.refit.theta,
@@ -616,7 +634,7 @@ impl Composed<'_> {
         for trial in self.search.rivals.iter().chain(&self.search.last) {
             let effect = trial.form.0;
             if rivals.len() < UNDECIDED && trial.unnamed.is_none() && rivals.iter().all(|r| r.effect != effect) {
-                rivals.push(next_test::Rival {
+                rivals.push(proposed_test::Rival {
                     effect,
                     hypothesis: &trial.structure.hypothesis,
                     theta: &trial.structure.refit.theta,
@@ -624,7 +642,7 @@ impl Composed<'_> {
                 });
             }
         }
-        next_test::propose(&rivals, &next_test::Rig::from_tests(&self.fitted), &self.advice())
+        proposed_test::propose(&rivals, &proposed_test::Rig::from_tests(&self.fitted), &self.advice())
     }
 
     fn advice(&self) -> Advice {

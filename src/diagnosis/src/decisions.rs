@@ -15,6 +15,11 @@ pub const CLEARLY: f64 = 2.0;
 /// and from the form of the FV curve. The search adds effects in pairs above the same value.
 pub const QUIET: f64 = dashpot_estimation::structure::search::QUIET;
 
+/// Ratio of a test's residual to the error expected from noise and curve form above which the model misses the test.
+/// The unexplained error is then 1.7 times the expected error. Test:
+/// `a_test_that_the_model_misses_is_named_although_the_mean_is_small`.
+pub const MISSED: f64 = 2.0;
+
 /// Smallest gain of log likelihood at which a structure with other effects is preferred to the given model. The value 1
 /// is a likelihood ratio of e.
 ///

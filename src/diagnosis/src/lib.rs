@@ -17,7 +17,7 @@
 //! | [`groups`] | many dampers, each against one reference |
 //! | [`settings`] | one damper at several settings: effects at all settings and at some settings |
 //! | [`opposite`], [`warmer`] | differences between two campaigns that are not due to the damper |
-//! | [`untestable`], [`next_test`] | effects that these records cannot show, and the tests that would show them |
+//! | [`untestable`], [`proposed_test`] | effects that these records cannot show, and the tests that would show them |
 //! | [`mod@refitted`] | functions for calibration and evaluation |
 //!
 //! The search, its vocabulary and its evidence are shared with a fit: `dashpot_estimation::structure`.
@@ -36,12 +36,12 @@ mod identical;
 mod improved;
 mod name_of;
 mod next_matrix;
-mod next_test;
 mod opposite;
 mod options;
 mod outcome;
 mod phrases;
 mod prepared;
+mod proposed_test;
 mod reference;
 mod refitted;
 mod regions;

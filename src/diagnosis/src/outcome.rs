@@ -271,6 +271,13 @@ pub struct TestOutcome {
     pub curves: Curves,
 }
 
+impl TestOutcome {
+    /// Returns whether the improved model misses the test: its error is more than twice the expected error.
+    pub fn is_missed(&self) -> bool {
+        self.after_rmse_n > super::decisions::MISSED * self.allowed_n
+    }
+}
+
 /// Mean cycle of a test: motion, measured force, and the forces of the given and the improved model.
 #[derive(Debug, Clone, Default)]
 pub struct Curves {
@@ -323,4 +330,24 @@ pub struct Evidence {
     pub negative_log_prior: f64,
     /// Fraction of the tests in which the effect reduces the residual.
     pub tests_better: f64,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_test_that_the_model_misses_is_named_although_the_mean_is_small() {
+        let of = |after_rmse_n: f64| TestOutcome {
+            test: "t".into(),
+            left_out: false,
+            before_rmse_n: 350.0,
+            after_rmse_n,
+            noise_n: 20.0,
+            allowed_n: 22.0,
+            curves: Curves::default(),
+        };
+        assert!(of(348.0).is_missed() && of(45.0).is_missed());
+        assert!(!of(22.0).is_missed() && !of(43.0).is_missed());
+    }
 }

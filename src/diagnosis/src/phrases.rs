@@ -25,10 +25,12 @@ dashpot_messages::phrases! {
     TIMES: "{times} times the error that noise and the form of curves leave";
     NAME_AND_SURE: "{effect} ({percent} sure{instead})";
     INSTEAD_OF: ", instead of {effect}";
-    HAS_EFFECT: "this damper shows {names}; the residual falls from {before} to {after} times noise and curve error, {rest}{also}";
+    HAS_EFFECT: "this damper shows {names}; {residual}, {rest}{also}";
+    RESIDUAL_FALLS: "the residual falls from {before} to {after} times noise and curve error";
+    RESIDUAL_STAYS: "the residual does not fall ({before} before and {after} after, in units of noise and curve error)";
     LEAVES_NOTHING: "which leaves nothing unexplained";
     LEAVES_A_PART: "which leaves a part unexplained";
-    NEW_EFFECT: "new on this damper: {names}; the residual falls from {before} to {after} times noise and curve error, {rest}{also}";
+    NEW_EFFECT: "new on this damper: {names}; {residual}, {rest}{also}";
     ALSO_CHANGED: "; also changed: {changes}";
     AT_ALL_SETTINGS: "at every setting this damper shows {effect} ({sure} sure{instead})";
     AT_SOME_SETTINGS: "{effect} ({sure} sure{instead}) is missing in the model at {names}; at the other settings it is not named";
@@ -47,7 +49,7 @@ dashpot_messages::phrases! {
     STILL_MISSED: "too rare or too small to be named, but these tests are missed: {tests}";
     NOTHING_MISSING: "nothing is missing that these records can show ({percent} sure): the model is off by {times}{not_seen}{not_confirmed}";
     UNCHANGED: "nothing has changed that these records can show ({percent} sure): the reference's model is off by {times}{not_seen}{not_confirmed}";
-    WARMER: "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin and oil damps less when warm, so part of what differs may be the temperature, a drift of the force zero above all; compare campaigns of like temperature";
+    WARMER: "tests were up to {kelvin} K {sense} than on the reference ({test}: {here} and {there} °C in the mean): gas force grows by 0.34 % a kelvin, and oil damps less when warm. A part of the differences may be the temperature, above all a drift of the force zero; compare campaigns of like temperature";
     WARMER_SENSE: "warmer";
     COLDER_SENSE: "colder";
     CHANGED: "{numbers}{more}";
@@ -86,7 +88,7 @@ dashpot_messages::phrases! {
     IN_TEST: "in test {test}";
     MORE_TENSILE: "measured force is {mean} N ± {error} more tensile than computed";
     MORE_COMPRESSIVE: "measured force is {mean} N ± {error} more compressive than computed";
-    OFF_BOTH_WAYS: "{rms} N rms off in both senses";
+    OFF_BOTH_WAYS: "measured force is above and below the computed one";
     // Proposed tests.
     RUN_SINE: "run a sine of {amplitude} {unit} at {frequency} Hz{about}{under}: {a} and {b} differ there by {difference} N rms";
     ABOUT_MEAN: " about {mean} {unit} as the files count";
@@ -125,6 +127,7 @@ dashpot_messages::phrases! {
     BEYOND_SIDE_FORCE: "a side force of {value} {unit} where they reached {reached} {unit}";
     // Reasons why records cannot show an effect.
     NEEDS_SERIES: "it is part of the series path: the model needs series_compliance first";
+    SERIES_ADDED: "it needs series_compliance, which this diagnosis has just added: run dashpot diagnose once more, on the improved model";
     NEEDS_FIXED_CURVE: "a free FV curve takes a v² term up: it needs the curve fixed by a specification";
     NEEDS_SIDE_FORCE: "the side force does not vary: run the same sine under two or more side forces, with the channel recorded";
     NEEDS_TEMPERATURE: "no temperature channel varies, and the records' clocks show no heating: record the oil or tube temperature, or repeat one test cold and after hard work";

@@ -2,6 +2,7 @@
 //! form error, which the diagnosed damper shares. After the correction, only changes of the damper remain.
 
 use dashpot_core::Input;
+use dashpot_estimation::gap::rms;
 use dashpot_estimation::samples::Test;
 use std::f64::consts::TAU;
 
@@ -84,6 +85,41 @@ pub struct Freed {
     pub shifted: Vec<String>,
 }
 
+/// Largest root mean square difference of the displacements of two tests with the same motion without cycles, such as a
+/// road, relative to the amplitude.
+const SAME_ROAD: f64 = 0.02;
+
+/// Subtracts the residual of the same motion without cycles, sample by sample. `known` holds the reference tests with
+/// their residuals, N. Returns the number of reference tests with this motion.
+fn without_error_of_road(test: &mut Test, known: &[(&Test, &Vec<f64>)]) -> usize {
+    let has_same_motion = |other: &&(&Test, &Vec<f64>)| {
+        let (other, residual) = **other;
+        let pairs = test.inputs().iter().zip(other.inputs());
+        let differences = pairs.map(|(a, b)| Some(a.displacement? - b.displacement?)).collect::<Option<Vec<f64>>>();
+        let amplitude = at(test).amplitude;
+        other.frequency == 0.0
+            && other.count() == test.count()
+            && residual.len() == test.count()
+            && (at(test).side - at(other).side).abs() <= SAME_SIDE
+            && differences.is_some_and(|of| rms(&of) <= SAME_ROAD * amplitude)
+    };
+    let same: Vec<&(&Test, &Vec<f64>)> = known.iter().filter(has_same_motion).collect();
+    let count = same.len();
+    if count == 0 {
+        return 0;
+    }
+    let noise = same.iter().map(|(other, _)| other.mean_noise.powi(2)).sum::<f64>().sqrt() / count as f64;
+    let from = test.segment.from;
+    for k in 0..test.count() {
+        let left = same.iter().map(|(_, residual)| residual[k]).sum::<f64>() / count as f64;
+        test.segment.force[from + k] -= left;
+        let independent = noise * noise / test.independence.max(1e-3);
+        test.allowed[k] = (test.allowed[k].powi(2) + independent).sqrt();
+    }
+    test.mean_noise = libm::hypot(test.mean_noise, noise);
+    count
+}
+
 /// Largest logarithmic distance of two motions, in speed and amplitude, at which their form errors count as similar.
 /// The value corresponds to a factor of two in both speed and amplitude.
 const ALIKE: f64 = 0.98;
@@ -116,8 +152,13 @@ pub fn without_shared_error(tests: Vec<Test>, reference: &[Test], residual: &[Ve
             (at, left, test.mean_noise, test.segment.top)
         })
         .collect();
+    let all: Vec<(&Test, &Vec<f64>)> = reference.iter().zip(residual).collect();
     let mut freed = Freed { tests: Vec::new(), missing: Vec::new(), shifted: Vec::new() };
     for mut test in tests {
+        if test.frequency == 0.0 && without_error_of_road(&mut test, &all) > 0 {
+            freed.tests.push(test);
+            continue;
+        }
         let own = at(&test);
         let mut same: Vec<&(At, Left, f64, f64)> = known.iter().filter(|(at, ..)| is_same(&own, at)).collect();
         let is_same = !same.is_empty();
@@ -194,6 +235,21 @@ mod tests {
             frequency,
             weight: 1.0,
         }
+    }
+
+    #[test]
+    fn what_both_share_goes_from_the_same_road_alone() {
+        let road = |force: &dyn Fn(f64) -> f64| Test { frequency: 0.0, ..sine(0.01, 2.0, 0.3, force) };
+        let shared = |angle: f64| 20.0 * libm::sin(2.0 * angle);
+        let good = road(&shared);
+        let residual = vec![good.segment.force.clone()];
+        let worn = road(&|angle| shared(angle) + 7.0);
+        let other = Test { frequency: 0.0, ..sine(0.01, 2.0, 1.3, shared) };
+        let freed = without_shared_error(vec![worn, other], &[good], &residual);
+        assert_eq!((freed.missing, freed.shifted), (vec!["0.01 2".to_owned()], vec![]));
+        assert!(freed.tests[0].segment.force.iter().all(|force| (force - 7.0).abs() < 1e-9));
+        assert!((freed.tests[0].allowed[0] - 2f64.sqrt()).abs() < 1e-12);
+        assert_eq!(freed.tests[1].allowed[0], 1.0);
     }
 
     #[test]

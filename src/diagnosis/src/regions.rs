@@ -136,7 +136,7 @@ fn words(r: &Region, error: f64) -> Sentence {
         let sense = if r.mean_n > 0.0 { phrases::MORE_TENSILE } else { phrases::MORE_COMPRESSIVE };
         Sentence::from(sense).with("mean", tenths(r.mean_n.abs())).with("error", tenths(error))
     } else {
-        Sentence::from(phrases::OFF_BOTH_WAYS).with("rms", tenths(r.rmse_n))
+        phrases::OFF_BOTH_WAYS.into()
     };
     Sentence::from(phrases::REGION)
         .with_sentence("direction", direction)

@@ -4,7 +4,7 @@
 use super::outcome::Rival;
 use super::wording::percent;
 use super::{effects, phrases};
-use dashpot_estimation::structure::context::Structure;
+use dashpot_estimation::structure::context::{Form, Structure};
 use dashpot_estimation::structure::search::{StructureSearch, Visited};
 use dashpot_messages::Sentence;
 use std::collections::BTreeMap;
@@ -25,6 +25,9 @@ pub(super) fn explained(before: f64, after: f64) -> f64 {
     if before > 1.0 { ((before - after) / (before - 1.0)).clamp(-1.0, 1.0) } else { 0.0 }
 }
 
+/// Structure of the table of a search, with its evaluation.
+type Row<'a> = (&'a [Form], &'a Visited);
+
 /// Results of a search, for the evaluation of effects that are not in the best structure.
 pub(super) struct Open<'a> {
     pub search: &'a StructureSearch,
@@ -38,19 +41,21 @@ pub(super) struct Open<'a> {
 impl Open<'_> {
     /// Returns the suspects: effects that are not in the best structure, most probable first.
     pub fn suspects(&self) -> Vec<Rival> {
-        let before = self.best.evidence.mean();
+        let best = self.best.evidence.mean();
         let mut all: Vec<Rival> = Vec::new();
         for trial in self.search.last.iter().filter(|t| t.unnamed.is_none() && self.is_open(t.form.0)) {
             let effect = trial.form.0;
             if all.iter().all(|r| r.effect != effect) {
-                all.push(self.rival(effect, explained(before, trial.structure.evidence.mean())));
+                // A trial adds one effect to the structure that the search found most probable.
+                let without = self.search.best.evidence.mean();
+                all.push(self.rival(effect, explained(without, trial.structure.evidence.mean())));
             }
         }
         // Structures in which another effect replaces an effect of the best structure are only in the table of the
         // search.
-        for (effect, row) in self.best_rows(None) {
+        for (effect, (key, row)) in self.best_rows(None) {
             if all.iter().all(|r| r.effect != effect) {
-                all.push(self.rival(effect, explained(self.start.evidence.mean(), row.mean_square)));
+                all.push(self.rival(effect, explained(self.without(key, effect).unwrap_or(best), row.mean_square)));
             }
         }
         all.retain(is_listed);
@@ -62,10 +67,10 @@ impl Open<'_> {
     /// Returns the effects that explain the records instead of the effect `named`, most probable first. The values of
     /// each effect are those of the most probable structure that contains it and not `named`.
     pub fn rivals(&self, named: &str) -> Vec<Rival> {
-        let mut rows: Vec<(&'static str, &Visited)> = self.best_rows(Some(named)).into_iter().collect();
-        rows.sort_by(|(a, one), (b, other)| other.log_posterior.total_cmp(&one.log_posterior).then(a.cmp(b)));
+        let mut rows: Vec<(&'static str, Row<'_>)> = self.best_rows(Some(named)).into_iter().collect();
+        rows.sort_by(|(a, one), (b, other)| other.1.log_posterior.total_cmp(&one.1.log_posterior).then(a.cmp(b)));
         let before = self.start.evidence.mean();
-        let all = rows.into_iter().map(|(effect, row)| self.rival(effect, explained(before, row.mean_square)));
+        let all = rows.into_iter().map(|(effect, (_, row))| self.rival(effect, explained(before, row.mean_square)));
         all.filter(is_listed).take(LISTED).collect()
     }
 
@@ -76,17 +81,25 @@ impl Open<'_> {
 
     /// Returns, for each open effect, the most probable structure of the table that contains this effect and does not
     /// contain `without`.
-    fn best_rows(&self, without: Option<&str>) -> BTreeMap<&'static str, &Visited> {
-        let mut best: BTreeMap<&'static str, &Visited> = BTreeMap::new();
+    fn best_rows(&self, without: Option<&str>) -> BTreeMap<&'static str, Row<'_>> {
+        let mut best: BTreeMap<&'static str, Row<'_>> = BTreeMap::new();
         for (key, row) in self.search.table.iter().filter(|(key, _)| key.iter().all(|form| Some(form.0) != without)) {
             for effect in key.iter().map(|form| form.0).filter(|effect| self.is_open(effect)) {
-                let known = best.entry(effect).or_insert(row);
-                if known.log_posterior < row.log_posterior {
-                    *known = row;
+                let known = best.entry(effect).or_insert((key, row));
+                if known.1.log_posterior < row.log_posterior {
+                    *known = (key, row);
                 }
             }
         }
         best
+    }
+
+    /// Returns the mean square residual of a structure without one of its effects. The difference is the part that this
+    /// effect explains; the other effects of the structure explain theirs. Returns `None` if the search did not visit
+    /// that structure.
+    fn without(&self, key: &[Form], effect: &str) -> Option<f64> {
+        let less: Vec<Form> = key.iter().filter(|form| form.0 != effect).copied().collect();
+        self.search.table.get(&less).map(|row| row.mean_square)
     }
 
     fn rival(&self, effect: &'static str, explained: f64) -> Rival {

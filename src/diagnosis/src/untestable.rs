@@ -4,6 +4,7 @@ use super::advice::Advice;
 use super::effects::{CARDS, remedy};
 use super::outcome::CouldNotTest;
 use super::phrases;
+use dashpot_core::element;
 use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::Sentence;
@@ -25,7 +26,10 @@ pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str], ad
             continue;
         }
         if let Some(why) = (card.missing)(s, advice) {
-            all.push(CouldNotTest { effect, why });
+            // The situation is that of the given model.
+            let is_added = found.contains(&element!("series_compliance").name());
+            let next = why == Sentence::from(phrases::NEEDS_SERIES) && is_added;
+            all.push(CouldNotTest { effect, why: if next { phrases::SERIES_ADDED.into() } else { why } });
         } else if invisible.iter().any(|(name, seen)| *name == effect && *seen < TRACE) {
             let why = Sentence::from(phrases::NO_TRACE).with_sentence("remedy", remedy(effect, advice));
             all.push(CouldNotTest { effect, why });

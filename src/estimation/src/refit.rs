@@ -91,14 +91,14 @@ pub fn prior_cost(hypothesis: &Hypothesis, theta: &[f64]) -> f64 {
 }
 
 /// A hypothesis with its tests and a function for its residuals. The samples of all tests are one block of the solver.
-struct Problem<'a> {
+struct RefitProblem<'a> {
     hypothesis: &'a Hypothesis,
     tests: &'a [Test],
     derivatives: Accuracy,
     residual_at: &'a (dyn Fn(&[f64]) -> Option<Residual> + Sync),
 }
 
-impl Residuals for Problem<'_> {
+impl Residuals for RefitProblem<'_> {
     type At = Vec<f64>;
 
     fn prepare(&self, theta: &[f64]) -> Option<Vec<f64>> {
@@ -163,7 +163,7 @@ pub fn refit_by(
         let jacobian = DMatrix::zeros(residual.len(), 0);
         return Some(Refit::from_point(hypothesis, Vec::new(), residual, jacobian));
     }
-    let problem = Problem { hypothesis, tests, derivatives: effort.derivatives, residual_at };
+    let problem = RefitProblem { hypothesis, tests, derivatives: effort.derivatives, residual_at };
     let (low, high) = hypothesis.numbers.iter().map(|n| n.bounds).unzip();
     let options = options(&hypothesis.numbers, effort);
     let mut found = solve_knowing(&problem, start, jacobian.map(|j| vec![j]), &Bounds { low, high }, &options);

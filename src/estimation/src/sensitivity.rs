@@ -166,7 +166,7 @@ impl FollowPaths for PathsTangent<'_> {
 
 /// Unknown of an element that is parallel to the mass and has no internal state. The derivative of the force is a
 /// finite difference of the element's force.
-struct Beside {
+struct ParallelUnknown {
     column: usize,
     plus: Model,
     minus: Model,
@@ -236,7 +236,7 @@ pub struct Run {
     first_spring: usize,
     fv: CurveWeights,
     spring: CurveWeights,
-    beside: Vec<Beside>,
+    beside: Vec<ParallelUnknown>,
     rises: Vec<(usize, CurveName, usize)>,
     /// Elements parallel to the mass with unknowns that do not influence the motion of the mass.
     alone: Vec<Alone>,
@@ -299,7 +299,7 @@ impl Run {
                 // If the series spring carries the whole force, friction and preload influence the mass.
                 Acts::Friction | Acts::Preload if !run.model.elements().carries_whole() => {
                     let (plus, minus) = (prepare(&moved(step))?, prepare(&moved(-step))?);
-                    run.beside.push(Beside { column, plus, minus, per: 0.5 / step });
+                    run.beside.push(ParallelUnknown { column, plus, minus, per: 0.5 / step });
                 }
                 // An internal moving mass moves with the piston, not parallel to it.
                 Acts::Stateful | Acts::Stop

@@ -114,6 +114,7 @@ impl App {
         // Select the panel of results, because another panel may be selected when a result arrives.
         if let Some(Work::Fit | Work::Validate | Work::Diagnose) = self.session.arrived.take() {
             self.view.side = Side::Result;
+            self.view.is_result_new = true;
         }
         if std::mem::take(&mut self.session.is_drawing_new) {
             self.view.side = Side::Drawing;

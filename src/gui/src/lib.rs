@@ -10,10 +10,14 @@
 //! | [`drawing`] | graphics backends |
 //! | [`dialogs`] | dialogs for files |
 //! | [`units`] | conversion from SI to the units on screen |
+//! | [`format`] | numbers and sentences in the language and the units on screen |
+//! | [`restated`] | sentences of the reports in the units on screen |
 
 pub mod app;
 pub mod dialogs;
 pub mod drawing;
+pub mod format;
+pub mod restated;
 pub mod session;
 pub mod units;
 pub mod views;

@@ -82,6 +82,23 @@ impl Units {
         })
     }
 
+    /// Returns the displayed unit of work. A joule is a newton metre, and a kilonewton millimetre. Pounds have the trade's unit.
+    pub fn energy(self) -> Shown {
+        match self.force {
+            Force::Newtons | Force::Kilonewtons => Shown::new((1.0, "J")),
+            Force::Pounds => {
+                let (force, length) = (self.force(), self.length());
+                Shown { factor: force.factor * length.factor, symbol: format!("{}·{}", length.symbol, force.symbol) }
+            }
+        }
+    }
+
+    /// Returns whether the displayed unit of an SI unit follows from the selected units.
+    pub fn is_selected(self, unit: &str) -> bool {
+        let of_force = ["N", "N/m", "N/m^2", "N/m^3", "N/m^4", "N s/m", "N s^2/m^2", "N/K"];
+        of_force.contains(&unit) || ["m", "m/s", "s/m"].contains(&unit)
+    }
+
     /// Returns the displayed unit for an SI unit. The unit does not depend on the value, so it stays constant while a slider moves.
     pub fn shown(self, unit: &str) -> Shown {
         let (force, length, velocity) = (self.force(), self.length(), self.velocity());
@@ -89,6 +106,7 @@ impl Units {
             factor: force.factor / length.factor.powi(power),
             symbol: format!("{}/{}{mark}", force.symbol, length.symbol),
         };
+        let way = velocity.symbol.trim_end_matches("/s").to_owned();
         match unit {
             "m" => length,
             "m/s" => velocity,
@@ -98,10 +116,13 @@ impl Units {
             "N/m^2" => per_length(2, "²"),
             "N/m^3" => per_length(3, "³"),
             "N/m^4" => per_length(4, "⁴"),
-            "N s/m" => Shown {
-                factor: force.factor / velocity.factor,
-                symbol: format!("{}·s/{}", force.symbol, velocity.symbol.trim_end_matches("/s")),
+            "N s/m" => Shown { factor: force.factor / velocity.factor, symbol: format!("{}·s/{way}", force.symbol) },
+            "N s^2/m^2" => Shown {
+                factor: force.factor / velocity.factor.powi(2),
+                symbol: format!("{}·s²/{way}²", force.symbol),
             },
+            "s/m" => Shown { factor: 1.0 / velocity.factor, symbol: format!("s/{way}") },
+            "N/K" => Shown { factor: force.factor, symbol: format!("{}/K", force.symbol) },
             "-" => Shown::new((1.0, "")),
             other => {
                 let raised = other.replace("^2", "²").replace("^3", "³").replace("^4", "⁴").replace("^k", "ᵏ");
@@ -191,10 +212,13 @@ mod tests {
         near(pounds.shown("m"), 39.370_078_7, "in");
         near(pounds.shown("N/m"), 0.005_710_147, "lbf/in");
         near(pounds.shown("N s/m"), 0.005_710_147, "lbf·s/in");
+        // 1 J is 8.850746 in·lbf.
+        near(pounds.energy(), 8.850_746, "in·lbf");
         let kilo = Units { velocity: Velocity::MillimetersPerSecond, force: Force::Kilonewtons };
         near(kilo.shown("N s/m"), 1e-6, "kN·s/mm");
         near(kilo.shown("m/s"), 1e3, "mm/s");
         near(kilo.shown("N/m^2"), 1e-9, "kN/mm²");
+        near(kilo.energy(), 1.0, "J");
     }
 
     #[test]

@@ -246,10 +246,10 @@ fn parsed(
     let (mut params, mut axis) = (Params::new(), Axis::NONE);
     read(&mut params, &mut axis).map_err(|e| {
         let (subject, mut words) = match e.problem {
-            model_file::Problem::Parameter(fault) => (subject(fault.parameter), e.problem.text().to_owned()),
+            model_file::LineProblem::Parameter(fault) => (subject(fault.parameter), e.problem.text().to_owned()),
             _ => (name_of(e.parameter).map_or(String::new(), |name| format!("{name}: ")), e.problem.text().to_owned()),
         };
-        if let model_file::Problem::Parameter(fault) = e.problem
+        if let model_file::LineProblem::Parameter(fault) = e.problem
             && fault.reason == dashpot_core::Reason::OutOfBounds
         {
             words = format!("{words}{}", bounds(fault.parameter));
@@ -257,10 +257,10 @@ fn parsed(
         if let Some(name) = model_file::name_at(text.as_bytes(), &e).map(String::from_utf8_lossy) {
             let name = name.as_ref();
             let meant = match e.problem {
-                model_file::Problem::UnknownElement => nearest(name, Element::all().map(Element::name)),
-                model_file::Problem::Repeated | model_file::Problem::Setting(_) | model_file::Problem::Family => {
-                    String::new()
-                }
+                model_file::LineProblem::UnknownElement => nearest(name, Element::all().map(Element::name)),
+                model_file::LineProblem::Repeated
+                | model_file::LineProblem::Setting(_)
+                | model_file::LineProblem::Family => String::new(),
                 _ => nearest(name, parameter::table().map(|row| row.parameter.name)),
             };
             words = format!("{name:?}: {words}{meant}");
@@ -336,7 +336,7 @@ fn parameters_in_tables(text: &str, path: &Path) -> Result<(), ModelFileError> {
                 file: path.to_path_buf(),
                 line: at as u32 + 1,
                 subject: format!("{name}: "),
-                text: model_file::Problem::ElementTable.text().replace("this heading", "the heading of this one"),
+                text: model_file::LineProblem::ElementTable.text().replace("this heading", "the heading of this one"),
             });
         }
     }

@@ -205,7 +205,7 @@ mod tests {
     #[test]
     fn a_force_channel_that_leads_is_told_as_early() {
         let said = |numbers| Measured::new(Artefact::Delay, numbers).finding().to_string();
-        assert_eq!(said([3e-3, 2.9e-3, 3.1e-3]), "the force channel comes late by 3.00 ms (95 %: 2.90 to 3.10)");
+        assert_eq!(said([3e-3, 2.9e-3, 3.1e-3]), "the force channel lags the motion by 3.00 ms (95 %: 2.90 to 3.10)");
         assert_eq!(
             said([-0.635e-3, -0.7e-3, -0.5e-3]),
             "the force channel comes early by 0.64 ms (95 %: 0.50 to 0.70)"

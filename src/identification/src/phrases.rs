@@ -39,7 +39,7 @@ dashpot_messages::phrases! {
     ZERO_MOVES: "the model leaves another constant force of each test, from {low} to {high} N: the zero of the force channel moves from test to test, or the gas warms up. Set the zero before each test, or measure on one clock, by which a drift is found; friction and gas force are not to be trusted";
     // Measurement errors.
     FOUND_EARLY: "the force channel comes early by {value} ms (95 %: {low} to {high})";
-    FOUND_DELAY: "the force channel comes late by {value} ms (95 %: {low} to {high})";
+    FOUND_DELAY: "the force channel lags the motion by {value} ms (95 %: {low} to {high})";
     FOUND_MASS: "the load cell moves a mass of its own, of {value} kg (95 %: {low} to {high})";
     FOUND_GAIN_DRIFT: "the gain of the force channel drifts by {value} % a minute (95 %: {low} to {high})";
     FOUND_DRIFT: "the zero of the force channel drifts by {value} N a minute (95 %: {low} to {high})";
@@ -53,7 +53,7 @@ dashpot_messages::phrases! {
     // Numbers of the model file that have no effect, because their element is off.
     IDLE: "the model file gives {names}, but the element {element} is off, so that this does nothing; add it to elements to use it";
     // Errors of a family relative to separate fits, numbers that the model file lacks, and numbers that changed since the fit.
-    FAMILY_WORSE: "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here, some of these tests may have the label of another setting, or they are too few to show a difference";
+    FAMILY_WORSE: "the family misses by {ratio} times as much as a fit of this setting alone: a number that all share may differ here. Or some of these tests have the label of another setting, or they are too few to show a difference";
     ALONE_WORSE: "a fit of this setting alone misses by {ratio} times as much as the family, so its search ended at a poorer structure: the ratio to it says nothing";
     ON_DEFAULTS: "the element {element} is on, but the model file does not give {names}: it runs on the defaults of docs/parameters.md";
     EDITED: "{names}: outside the 95 % interval that the fit left in the model file, so changed since; what the fit knew of it is left out";
@@ -74,7 +74,7 @@ dashpot_messages::phrases! {
     CHANGING_SETTING: "tests whose setting changes";
     NO_ACTUATOR: "the {count|test|# tests} whose {setting} changes {count|shows|show} no actuator: the force follows the command within samples and noise";
     ACTUATOR_OPEN: "the records do not determine {names}: the values are those that valves usually show";
-    FAMILY_SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, at most {most} of each setting and {changing} whose setting changes, of every amplitude, speed, mean displacement, temperature and side force. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
+    FAMILY_SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all: at most {most} of each setting and {changing} whose setting changes. They have every amplitude, speed, mean displacement, temperature and side force. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_INTERVAL_BETWEEN: "{names}: no interval here, between two settings; a fit at three or more settings shows how far interpolation is off";
     LABEL_SUSPECT: "{test} states {name} {stated}, but its forces are those of {fitting}: at the stated one the model misses it by {ratio} times as much. Check its label; a corrected value goes into campaign.toml under settings";
     LABEL_STRAY: "{test} states {name} {stated}, but its forces are those of {fitting}, and not those of the settings next to it. Check its label; a corrected value goes into campaign.toml under settings";
@@ -82,7 +82,7 @@ dashpot_messages::phrases! {
     LABELS_EXCHANGED: "the damping force does not rise or fall throughout over the {name}; with {one} and {other} exchanged it would. Check the labels of these tests; a damper that is really so is modeled as measured";
     LABELS_OPPOSED: "over the {name} the damping force in {direction} rises near {rising} mm/s and falls near {falling} mm/s. Some tests may count the {name} from the other end: check their labels; a damper that is really so is modeled as measured";
     FAMILY_STORES: "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest";
-    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), name its column (--column setting=HEADING), give the unit of a column of currents whose heading has none (--unit current=A), or write setting and [settings] into campaign.toml beside them{unread}";
+    FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), or name its column (--column setting=HEADING). For a column of currents without a unit, give --unit current=A. Or write setting and [settings] into campaign.toml beside the records{unread}";
     FAMILY_UNREAD: "; {note}";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
     FAMILY_WITHOUT: "no {name} is stated by {tests} (tests: {count}). Leave them out with --exclude, name their column (--column setting=HEADING), or give it in campaign.toml under settings{unread}";

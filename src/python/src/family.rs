@@ -10,15 +10,16 @@ use crate::work;
 use dashpot_core::family;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{FamilyFigures, fit_family as fit};
-use dashpot_identification::limits::judge_over_settings;
+use dashpot_identification::limits::{SettingsFigures, judge_over_settings};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::setting_units::restate_settings;
 use dashpot_messages::format_number;
 use dashpot_records::hold_out::kept;
 use dashpot_records::{MotionRecord, Record};
-use dashpot_simulation::comparison::{compare_family, summarize_settings};
+use dashpot_simulation::comparison::{compare_family, settings_of, summarize_settings};
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use dashpot_simulation::prediction::at_velocities;
+use dashpot_simulation::step_response::step_responses;
 use numpy::{AllowTypeChange, PyArray1, PyArrayLike1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -154,6 +155,32 @@ impl Family {
         let array = |values| PyArray1::from_vec(py, values);
         let forces = forces.into_iter().map(|(model, fv_only)| (array(model), array(fv_only))).collect();
         Ok((json, forces, Campaign { read }, doubts))
+    }
+
+    /// Measures the figures of records for limits, with the response times of the steps of the setting. The records are those that
+    /// [`Family::validate`] returned.
+    #[pyo3(signature = (campaign, progress=None))]
+    fn measure(
+        &self,
+        py: Python<'_>,
+        campaign: &Campaign,
+        progress: Option<Py<PyAny>>,
+    ) -> PyResult<limits::SettingsFigures> {
+        let file = &self.file;
+        let of = work::run(py, progress, |progress| -> anyhow::Result<_> {
+            progress.say(0.0, "measuring");
+            let records = campaign.records();
+            let settings = settings_of(file, &campaign.read, None)?;
+            let changing: Vec<&Record> = records
+                .iter()
+                .zip(&settings)
+                .filter(|(_, setting)| setting.is_none())
+                .map(|(record, _)| *record)
+                .collect();
+            let responses = step_responses(&file.definition(), &changing)?;
+            Ok(SettingsFigures::measure((&records, &settings), &responses))
+        })?;
+        Ok(limits::SettingsFigures { of: of.map_err(raise::<ValidationError>)? })
     }
 
     /// Simulates a motion with a setting at each time. Returns times, s, displacements, m, velocities, m/s, and forces, N. The setting at a

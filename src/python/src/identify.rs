@@ -8,7 +8,7 @@ use dashpot_identification::validation::Deviation;
 use dashpot_identification::{Estimate, Family, Fit, FitOptions, InventoryItem, Kind, Measured, model_file};
 use dashpot_messages::Sentence;
 use dashpot_records::hold_out::kept;
-use dashpot_records::{SignFinding, Unusable};
+use dashpot_records::{SignFinding, Unusable, not_one_damper};
 use dashpot_simulation::whole_records;
 use pyo3::prelude::*;
 use serde::Serialize;
@@ -41,8 +41,8 @@ pub struct Fitted {
 
 /// Fits a model to records. Returns the text of its model file, the figures as JSON, and the data for a workbook.
 #[pyfunction]
-#[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None, dimensions=None))]
-#[allow(clippy::needless_pass_by_value)]
+#[pyo3(signature = (campaign, family, elements=None, hold_out=Vec::new(), progress=None, dimensions=None, lumped=false))]
+#[allow(clippy::needless_pass_by_value, clippy::too_many_arguments)]
 pub fn fit(
     py: Python<'_>,
     campaign: &Campaign,
@@ -51,6 +51,7 @@ pub fn fit(
     hold_out: Vec<String>,
     progress: Option<Py<PyAny>>,
     dimensions: Option<PathBuf>,
+    lumped: bool,
 ) -> PyResult<(String, String, Fitted)> {
     let family = match Kind::named(family) {
         Some(Kind::Model(family)) => family,
@@ -72,6 +73,9 @@ pub fn fit(
     }
     let priors = priors(dimensions.as_deref())?;
     let records = kept(&campaign.read, &hold_out).map_err(raise::<FitError>)?;
+    if !lumped && let Some(why) = not_one_damper(&records) {
+        return Err(say::<FitError>(why.to_string()));
+    }
     let options = FitOptions { family, elements, priors };
     let found = work::run(py, progress, |progress| -> anyhow::Result<_> {
         let found =

@@ -79,7 +79,7 @@ mod _native {
     #[pymodule_export]
     use crate::identify::{Fitted, fit};
     #[pymodule_export]
-    use crate::limits::{Figures, check_limits, read_limits};
+    use crate::limits::{Figures, SettingsFigures, check_limits, is_same_setting, read_limits, restate_setting};
     #[pymodule_export]
     use crate::literature::fit_literature;
     #[pymodule_export]

@@ -67,6 +67,19 @@ pub fn check_limits(limits: Vec<Row>) -> PyResult<()> {
     of_rows(limits).map(|_| ())
 }
 
+/// Returns whether two values are the same setting.
+#[pyfunction]
+pub fn is_same_setting(a: f64, b: f64) -> bool {
+    dashpot_records::is_same_setting(a, b)
+}
+
+/// Converts a value of a setting to another unit. Returns `None` if the units belong to different quantities.
+#[pyfunction]
+pub fn restate_setting(value: f64, unit: &str, to: &str) -> Option<f64> {
+    let (mut value, mut unit) = (value, unit.to_owned());
+    (unit == to || (!to.is_empty() && dashpot_records::restate_in_unit(&mut unit, to, [&mut value]))).then_some(value)
+}
+
 /// Figures of a campaign that decide about every limit on a force.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Figures {
@@ -104,5 +117,46 @@ impl Figures {
         let limits = of_rows(limits)?;
         limits::check_without_setting(&limits).map_err(raise::<ValidationError>)?;
         serde_json::to_string(&self.of.judge(&limits, None)).map_err(raise::<ValidationError>)
+    }
+}
+
+/// Figures of a damper over a setting that decide about every limit.
+#[pyclass(frozen, module = "dashpot._native")]
+pub struct SettingsFigures {
+    /// The figures.
+    pub of: limits::SettingsFigures,
+}
+
+#[pymethods]
+impl SettingsFigures {
+    /// Measures the figures of records that have one setting.
+    #[staticmethod]
+    #[pyo3(signature = (campaign, setting, progress=None))]
+    fn at(py: Python<'_>, campaign: &Campaign, setting: f64, progress: Option<Py<PyAny>>) -> PyResult<SettingsFigures> {
+        let records: Vec<&Record> = campaign.records();
+        let settings = vec![Some(setting); records.len()];
+        let of = work::run(py, progress, |progress| {
+            progress.say(0.0, "measuring");
+            limits::SettingsFigures::measure((&records, &settings), &[])
+        })?;
+        Ok(SettingsFigures { of })
+    }
+
+    /// Restores figures from their [`text`](SettingsFigures::text).
+    #[staticmethod]
+    fn parse(text: &str) -> PyResult<SettingsFigures> {
+        Ok(SettingsFigures { of: serde_json::from_str(text).map_err(raise::<ValidationError>)? })
+    }
+
+    /// Returns the figures as text, for storage and later checks of other limits.
+    #[getter]
+    fn text(&self) -> PyResult<String> {
+        serde_json::to_string(&self.of).map_err(raise::<ValidationError>)
+    }
+
+    /// Compares the figures with limits. Returns the entry `limits` in the output of `dashpot validate --limits --json`, without the model.
+    fn judge(&self, limits: Vec<Row>) -> PyResult<String> {
+        let found = self.of.judge(&of_rows(limits)?, None).map_err(raise::<ValidationError>)?;
+        serde_json::to_string(&found).map_err(raise::<ValidationError>)
     }
 }

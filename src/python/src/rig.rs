@@ -74,6 +74,7 @@ pub struct Bench {
     side_force: bool,
     temperature: bool,
     start_temperature_c: Option<f64>,
+    noise_seed: Option<u64>,
     order: Option<u64>,
 }
 
@@ -134,6 +135,7 @@ pub fn measure(
         side_force_channel: bench.side_force,
         temperature_channel: bench.temperature,
         start_temperature_c: bench.start_temperature_c,
+        noise_seed: bench.noise_seed,
         order: bench.order,
         ..Options::default()
     };

@@ -61,7 +61,7 @@ pub use quantities::setting_value::{
     Setting, SettingRules, is_same_setting, restate_in_unit, setting_factor, setting_in_words,
 };
 pub use quantities::unit::{Dimension, Unit};
-pub use settings::assignment::{records_without_setting, unread_current};
+pub use settings::assignment::{WITHOUT_SETTING, not_one_damper, records_without_setting, unread_current};
 pub use signal::delay::Delay;
 pub use signal::{measurement_correction, smoothing};
 pub use source::{read_regular, read_small, read_small_text};

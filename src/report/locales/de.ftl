@@ -191,6 +191,8 @@ family-loops-section = Schleifen nach Einstellung
 family-loops-about = Eine Bewegung bei jeder Einstellung, die sie hat: { $amplitude } mm Amplitude, Spitzengeschwindigkeit { $velocity } mm/s.
 family-worst-about = Darunter bei jeder Einstellung der Versuch mit dem größten Fehler in Prozent.
 family-worst-caption = { $setting }: { $test }, mittlerer Fehler { $error } N, { $percent } %
+plot-surface = Kraft über Geschwindigkeit und Einstellung
+surface-caption = Kraft des Modells bei konstanter Geschwindigkeit. Farbige Linien sind die Einstellungen der Modelldatei, graue Linien konstante Geschwindigkeiten und Einstellungen dazwischen. Punkte sind die gemessenen Kräfte bei Spitzengeschwindigkeit.
 plot-over-setting = Kraft über der Einstellung
 over-setting-caption = Kraft des Modells bei konstanter Geschwindigkeit. Eine waagerechte Linie hängt nicht von der Einstellung ab.
 plot-ratio = Verhältnis härteste zu weichster
@@ -393,7 +395,7 @@ quality-poor = Schlechte Anpassung
 quality-beside-noise = das { $ratio }-Fache des Rauschens der Messungen ({ $noise } N)
 quality-noise-unknown = das Rauschen dieser Messungen ist nicht bekannt
 quality-curve-worse = die FV-Kurve allein verfehlt sie um { $error } N ({ $percent } %), { $ratio }-mal so viel
-quality-curve-no-worse = die FV-Kurve allein ist nicht schlechter, { $error } N ({ $percent } %)
+quality-curve-no-worse = die FV-Kurve allein ist etwa gleich gut oder besser, { $error } N ({ $percent } %)
 fit-measured = Fehler der Messung
 fit-tests = Angepasste Versuche
 remarks = Bemerkungen
@@ -446,6 +448,7 @@ error-fitted = Kein Versuch wurde zurückgehalten (zu wenige oder keiner benannt
 rating-left-out = { $grade }: in den ausgelassenen Versuchen verfehlt das Modell die gemessene Kraft um { $error } N effektiv, das { $ratio }-Fache ihres Rauschens.
 rating-fitted = { $grade }: in den angepassten Versuchen verfehlt das Modell die gemessene Kraft um { $error } N effektiv, das { $ratio }-Fache ihres Rauschens.
 gap-is-closed = { $error }; { $gap } der Lücke zwischen Modell und Rauschen sind geschlossen, jeder Versuch gemessen an seinem eigenen Rauschen.
+gap-grows = { $error }; die Lücke zwischen Modell und Rauschen wächst um { $gap }, jeder Versuch gemessen an seinem eigenen Rauschen.
 nothing-stays = Das Modell bleibt, wie es ist; nur seine Zahlen wurden neu angepasst.
 changed-stays = Das Modell behält seine Form; seine Zahlen sind jetzt die dieses Dämpfers.
 nothing-added-rivals = Es wurde nichts hinzugefügt: unter Namen zu raten, die die Messung gleich gut erklären, wäre wertlos. Die möglichen Ursachen stehen unten, ebenso die Versuche, die entscheiden würden.
@@ -461,6 +464,7 @@ col-left-out-rms = zurückgehaltene Versuche, N effektiv
 mean-cycles-caption = An mittleren Zyklen, die weniger rauschen als einzelne. Fehler in Prozent: mittleres |berechnet − gemessen| eines Versuchs durch seine größte Kraft, Mittel über alle Versuche.
 whole-deviation = im Mittel { $error } N ({ $percent } %)
 whole-records = Über alle Abtastwerte aller Messungen, wie dashpot validate misst: { $came } mit dem gegebenen Modell, { $refitted } neu angepasst, { $improved } verbessert. Die Zahlen darüber gelten für mittlere Zyklen, in denen das Rauschen herausgemittelt ist.
+whole-records-refitted = Über alle Abtastwerte aller Messungen, wie dashpot validate misst: { $came } mit dem gegebenen Modell, { $refitted } neu angepasst. Die Zahlen darüber gelten für mittlere Zyklen, in denen das Rauschen herausgemittelt ist.
 
 ## The picture of a diagnosis.
 
@@ -524,10 +528,11 @@ shifts-section = Zahlen des Modells, die sich verschoben haben
 finding-heading = { $place }. { $effect }{ $form }: { $sure } sicher
 finding-form = { " " }({ $form })
 finding-gap = { " " }Ohne ihn öffnen sich { $gap } der Lücke wieder.
+finding-disagreement = { " " }Ohne ihn kommen { $gap } der Abweichung zurück.
 finding-of-rig = Der Effekt gehört zum Prüfstand, nicht zum Dämpfer: im Vergleich berichtigt, nicht ins Modell übernommen.
 finding-added = Der Effekt ist dem verbesserten Modell hinzugefügt.
 finding-what = { $meaning }. { $added }{ $gap }
-finding-why = Wo: { $path } (Familie: { $family }, { $family_sure } sicher). Warum: ohne den Effekt kommen { $share } der Abweichung zurück; in { $tests } der Versuche bleibt mit ihm weniger übrig.
+finding-why = Wo: { $path } (Familie: { $family }, { $family_sure } sicher). Mit ihm ist das Residuum in { $tests } der Versuche kleiner.
 rivals-caption = Was sonst an seiner Stelle versucht wurde.
 col-parameter = Parameter
 col-judged = Beurteilung
@@ -550,6 +555,7 @@ loops-about = Die Versuche, deren Abweichung vorher den größten Anteil ihrer K
 loop-heading = { $test }, { $kind }
 loop-errors = Fehler vorher { $before } N effektiv, nachher { $after } N; Rauschen allein macht { $noise } N aus.{ $closed }
 loop-closed = { " " }{ $gap } der Lücke sind geschlossen.
+loop-grown = { " " }Die Lücke ist um { $gap } gewachsen.
 
 ## Errors by amplitude and peak velocity, before and after.
 
@@ -611,7 +617,7 @@ other-groups = weitere Gruppen
 plot-group-curves = FV-Kurven aller Gruppen
 group-curves-caption = Kraft jedes Dämpfers bei gleichförmiger Bewegung, mit Reibung und Gas, so weit seine Versuche reichen; gestrichelt: die Referenz.
 numbers-section = Zahlen, die sich geändert haben
-numbers-caption = Zahlen des Modells, die sich in mindestens einer Gruppe stärker von der Referenz unterscheiden, als beide offenlassen.
+numbers-caption = Zahlen des Modells, die sich in mindestens einer Gruppe stärker von der Referenz unterscheiden, als beide offenlassen. Darunter die Zahlen der benannten Effekte.
 col-quantity = Größe
 measurement-section = Die Messung selbst
 aside-section = Beiseitegelassen
@@ -1253,7 +1259,7 @@ records-twins = { $test } enthält dieselben Messwerte wie { $twin } und zählt 
 ## What reading says of records. A force that comes late.
 
 records-late = die Kraft kommt etwa { $delay } ms nach der Bewegung: so genommen lässt eine Kurve über der Geschwindigkeit { $left } % ihrer Varianz unerklärt, wie aufgezeichnet { $recorded } %
-records-late-not-moved = { $late }{ $energy }. Hysterese zählt hier als Verspätung: dashpot fit trennt beide und rechnet die Verspätung heraus. Nichts wurde verschoben; zum Korrigieren ohne fit { $option } angeben
+records-late-not-moved = { $late }{ $energy }. Hysterese sieht hier wie eine Verzögerung aus, deshalb wurde nichts verschoben. dashpot fit trennt beide und meldet die Verzögerung, die es findet; der Rest ist Hysterese des Dämpfers. { $option } nur angeben, wenn der Prüfstand die Kraft bekanntlich um so viel verzögert
 records-would-feed = ; wie aufgezeichnet gäbe der Dämpfer in { $count } von { $all ->
         [one] { $all } Versuch
        *[other] { $all } Versuchen
@@ -1281,6 +1287,7 @@ records-weak = die Hinweise sind schwach; mit --positive rebound oder --positive
 records-turned-round = In Bewegung und Kraft zugleich umgedreht, passten { $tests } zu den anderen Versuchen, wie gelesen nicht: bei gleichen Geschwindigkeiten ist die Kraft mitten zwischen Zug und Druck in { $test } { $own } N, in den anderen { $usual } N. Prüfen, ob diese Dateien in anderer Richtung zählen, und den Export berichtigen oder sie mit --exclude weglassen
 records-other-settings = { $first } hat bei gleicher Bewegung die { $times }-fache Kraft von { $second }: das sind mehrere Dämpfer oder mehrere Einstellungen eines Dämpfers (Klicks, Strom), und ein Modell kann sie nicht alle wiedergeben. Getrennt identifizieren (Ordner oder --exclude). { $belong }
 records-several-settings = die Versuche wurden bei { $count } Einstellungen ({ $name }) gemessen, und ein Modell enthält nur eine davon: { $settings }. Sie mit dashpot fit --setting { $option } als einen Dämpfer über { $name } anpassen, oder jede für sich, die anderen mit --exclude weggelassen; dashpot diagnose --group vergleicht sie
+records-not-one-damper = { $settings }. Um alle als einen Dämpfer ohne Einstellung anzupassen, --setting { $none } angeben
 records-setting-at = { $value }: { $names }
 records-setting-varies = am Dämpferventil ändert sich { $setting } im ganzen Versuch zwischen { $low } und { $high }
 records-setting-changes = { $change }. dashpot fit --setting { $option } bestimmt daraus die Antwort des Ventils; ein Modell bei einer Einstellung kann ihm nicht folgen (--exclude)
@@ -1608,7 +1615,7 @@ identification-zero-moves = das Modell lässt von jedem Versuch eine andere glei
 ## What a fit says. What the measurement is off by.
 
 identification-found-early = der Kraftkanal kommt { $value } ms zu früh (95 %: { $low } bis { $high })
-identification-found-delay = der Kraftkanal kommt { $value } ms zu spät (95 %: { $low } bis { $high })
+identification-found-delay = der Kraftkanal ist gegenüber der Bewegung um { $value } ms verzögert (95 %: { $low } bis { $high })
 identification-found-mass = die Kraftmessdose bewegt eine eigene Masse von { $value } kg (95 %: { $low } bis { $high })
 identification-found-gain-drift = die Verstärkung des Kraftkanals wandert um { $value } % je Minute (95 %: { $low } bis { $high })
 identification-found-drift = der Nullpunkt des Kraftkanals wandert um { $value } N je Minute (95 %: { $low } bis { $high })
@@ -1720,10 +1727,12 @@ diagnosis-and = { " " }und{ " " }
 diagnosis-times = das { $times }-Fache des Fehlers, den Rauschen und Form der Kurven übrig lassen
 diagnosis-name-and-sure = { $effect } ({ $percent } sicher{ $instead })
 diagnosis-instead-of = , anstelle von { $effect }
-diagnosis-has-effect = dieser Dämpfer zeigt { $names }; das Residuum fällt vom { $before }- auf das { $after }-Fache von Rauschen und Kurvenfehler, { $rest }{ $also }
+diagnosis-has-effect = dieser Dämpfer zeigt { $names }; { $residual }, { $rest }{ $also }
+diagnosis-residual-falls = das Residuum fällt vom { $before }- auf das { $after }-Fache von Rauschen und Kurvenfehler
+diagnosis-residual-stays = das Residuum fällt nicht (vorher das { $before }-Fache, danach das { $after }-Fache von Rauschen und Kurvenfehler)
 diagnosis-leaves-nothing = was nichts unerklärt lässt
 diagnosis-leaves-a-part = was einen Teil unerklärt lässt
-diagnosis-new-effect = neu an diesem Dämpfer: { $names }; das Residuum fällt vom { $before }- auf das { $after }-Fache von Rauschen und Kurvenfehler, { $rest }{ $also }
+diagnosis-new-effect = neu an diesem Dämpfer: { $names }; { $residual }, { $rest }{ $also }
 diagnosis-also-changed = ; ebenfalls geändert: { $changes }
 diagnosis-at-all-settings = bei jeder Einstellung zeigt dieser Dämpfer { $effect } ({ $sure } sicher{ $instead })
 diagnosis-at-some-settings = { $effect } ({ $sure } sicher{ $instead }) fehlt im Modell bei { $names }; bei den anderen Einstellungen wird es nicht genannt
@@ -1785,7 +1794,7 @@ diagnosis-in-all-tests = in allen Versuchen, die dorthin kommen
 diagnosis-in-test = im Versuch { $test }
 diagnosis-more-tensile = die gemessene Kraft liegt um { $mean } ± { $error } N weiter in Zugrichtung als die berechnete
 diagnosis-more-compressive = die gemessene Kraft liegt um { $mean } ± { $error } N weiter in Druckrichtung als die berechnete
-diagnosis-off-both-ways = in beiden Richtungen { $rms } N effektiv Abweichung
+diagnosis-off-both-ways = die gemessene Kraft liegt über und unter der gerechneten
 
 ## What a diagnosis says. Tests that would tell more.
 
@@ -1829,6 +1838,7 @@ diagnosis-beyond-side-force = eine Seitenkraft von { $value } { $unit }, erreich
 ## What a diagnosis says. Why records cannot show an effect.
 
 diagnosis-needs-series = es gehört zum Reihenpfad: das Modell braucht zuerst die Reihennachgiebigkeit (series_compliance)
+diagnosis-series-added = es braucht series_compliance, das diese Diagnose erst ergänzt hat: dashpot diagnose noch einmal auf das verbesserte Modell anwenden
 diagnosis-needs-fixed-curve = eine freie FV-Kurve nimmt einen v²-Anteil auf: dazu muss die Kurve durch eine Vorgabe festliegen
 diagnosis-needs-side-force = die Seitenkraft ändert sich nicht: denselben Sinus unter zwei oder mehr Seitenkräften fahren und den Kanal aufzeichnen
 diagnosis-needs-temperature = kein Temperaturkanal ändert sich, und die Uhren der Messungen zeigen keine Erwärmung: Öl- oder Rohrtemperatur aufzeichnen oder einen Versuch kalt und nach starker Belastung wiederholen

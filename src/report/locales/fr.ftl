@@ -191,6 +191,8 @@ family-loops-section = Boucles par réglage
 family-loops-about = Un même mouvement à chaque réglage qui l’a : amplitude { $amplitude } mm, vitesse maximale { $velocity } mm/s.
 family-worst-about = Ci-dessous, à chaque réglage, l’essai au plus grand écart en pour cent.
 family-worst-caption = { $setting } : { $test }, écart moyen { $error } N, { $percent } %
+plot-surface = Effort selon la vitesse et le réglage
+surface-caption = Effort du modèle à vitesse constante. Les lignes colorées sont les réglages du fichier de modèle, les lignes grises des vitesses constantes et des réglages intermédiaires. Les points sont les efforts mesurés à la vitesse maximale.
 plot-over-setting = Effort selon le réglage
 over-setting-caption = Effort du modèle à vitesse constante. Une ligne plate ne dépend pas du réglage.
 plot-ratio = Rapport du plus dur au plus doux
@@ -396,7 +398,7 @@ quality-poor = Mauvais ajustement
 quality-beside-noise = { $ratio } fois le bruit des mesures ({ $noise } N)
 quality-noise-unknown = le bruit de ces mesures n’est pas connu
 quality-curve-worse = la courbe FV seule s’en écarte de { $error } N ({ $percent } %), { $ratio } fois autant
-quality-curve-no-worse = la courbe FV seule n’est pas plus mauvaise, { $error } N ({ $percent } %)
+quality-curve-no-worse = la courbe FV seule est à peu près aussi bonne ou meilleure, { $error } N ({ $percent } %)
 fit-measured = Erreurs de la mesure
 fit-tests = Essais ajustés
 remarks = Remarques
@@ -449,6 +451,7 @@ error-fitted = Aucun essai n’a été mis de côté (trop peu, ou aucun désign
 rating-left-out = { $grade } : sur les essais écartés, le modèle s’écarte de l’effort mesuré de { $error } N efficaces, { $ratio } fois leur bruit.
 rating-fitted = { $grade } : sur les essais ajustés, le modèle s’écarte de l’effort mesuré de { $error } N efficaces, { $ratio } fois leur bruit.
 gap-is-closed = { $error } ; { $gap } de l’écart entre modèle et bruit sont comblés, chaque essai compté en unités de son propre bruit.
+gap-grows = { $error } ; l’écart entre modèle et bruit augmente de { $gap }, chaque essai compté en unités de son propre bruit.
 nothing-stays = Le modèle reste tel quel ; seuls ses paramètres ont été réajustés.
 changed-stays = Le modèle garde sa forme ; ses paramètres sont maintenant ceux de cet amortisseur.
 nothing-added-rivals = Rien n’a été ajouté : choisir au hasard entre des noms qui expliquent aussi bien les mesures ne vaudrait rien. Les causes possibles sont plus bas, avec les essais qui trancheraient.
@@ -467,6 +470,7 @@ col-left-out-rms = essais mis de côté, N efficaces
 mean-cycles-caption = Sur des cycles moyens, moins bruités que des cycles seuls. Écart en pour cent : moyenne de |calculé − mesuré| d’un essai rapportée à son plus grand effort, moyenne sur tous les essais.
 whole-deviation = { $error } N en moyenne ({ $percent } %)
 whole-records = Sur tous les échantillons de toutes les mesures, comme le fait dashpot validate : { $came } avec le modèle tel que fourni, { $refitted } réajusté, { $improved } amélioré. Les chiffres ci-dessus portent sur des cycles moyens, où le bruit s’annule en moyenne.
+whole-records-refitted = Sur tous les échantillons de toutes les mesures, comme le fait dashpot validate : { $came } avec le modèle tel que fourni, { $refitted } réajusté. Les chiffres ci-dessus portent sur des cycles moyens, où le bruit s’annule en moyenne.
 
 ## The picture of a diagnosis.
 
@@ -530,10 +534,11 @@ shifts-section = Paramètres du modèle qui ont bougé
 finding-heading = { $place }. { $effect }{ $form } : sûr à { $sure }
 finding-form = { " " }({ $form })
 finding-gap = { " " }Sans lui, { $gap } de l’écart réapparaissent.
+finding-disagreement = { " " }Sans lui, { $gap } du désaccord reviennent.
 finding-of-rig = Il vient du banc, non de l’amortisseur : corrigé dans la comparaison, non mis dans le modèle.
 finding-added = Il est ajouté au modèle amélioré.
 finding-what = { $meaning }. { $added }{ $gap }
-finding-why = Où : { $path } (famille : { $family }, sûr à { $family_sure }). Pourquoi : sans lui, { $share } du désaccord reviennent ; il laisse moins de reste dans { $tests } des essais.
+finding-why = Où : { $path } (famille : { $family }, sûr à { $family_sure }). Avec lui, le résidu est plus petit dans { $tests } des essais.
 rivals-caption = Ce qui a été essayé d’autre à sa place.
 col-parameter = paramètre
 col-judged = jugement
@@ -556,6 +561,7 @@ loops-about = Les essais dont le désaccord avant est la plus grande part de leu
 loop-heading = { $test }, { $kind }
 loop-errors = Écart { $before } N efficaces avant, { $after } N après ; le bruit seul donne { $noise } N.{ $closed }
 loop-closed = { " " }{ $gap } de l’écart sont comblés.
+loop-grown = { " " }L’écart augmente de { $gap }.
 
 ## Errors by amplitude and peak velocity, before and after.
 
@@ -617,7 +623,7 @@ other-groups = autres groupes
 plot-group-curves = Courbes FV de tous les groupes
 group-curves-caption = Effort de chaque amortisseur à vitesse constante, frottement et gaz compris, aussi loin que vont ses essais ; en tirets : la référence.
 numbers-section = Paramètres qui ont changé
-numbers-caption = Paramètres du modèle qui, dans au moins un groupe, diffèrent de la référence de plus que ce que les deux laissent ouvert.
+numbers-caption = Paramètres du modèle qui, dans au moins un groupe, diffèrent de la référence de plus que ce que les deux laissent ouvert. En dessous, les nombres des effets nommés.
 col-quantity = grandeur
 measurement-section = La mesure elle-même
 aside-section = Laissés de côté
@@ -1289,7 +1295,7 @@ records-twins = { $test } contient les mêmes échantillons que { $twin } et com
 ## What reading says of records. A force that comes late.
 
 records-late = l’effort vient environ { $delay } ms après le mouvement : pris ainsi, une courbe selon la vitesse laisse { $left } % de sa variance inexpliqués, contre { $recorded } % tel qu’enregistré
-records-late-not-moved = { $late }{ $energy }. L’hystérésis compte ici comme retard : dashpot fit les distingue et ôte le retard. Rien n’a été déplacé ; pour corriger sans fit, donner { $option }
+records-late-not-moved = { $late }{ $energy }. L’hystérésis ressemble ici à un retard, donc rien n’a été déplacé. dashpot fit les distingue et signale le retard qu’il trouve ; le reste est l’hystérésis de l’amortisseur. Ne donner { $option } que si le banc retarde l’effort d’autant, de façon connue
 records-would-feed = { " " }; tel qu’enregistré, l’amortisseur fournirait de l’énergie dans { $count ->
         [one] { $count } essai
        *[other] { $count } essais
@@ -1317,6 +1323,7 @@ records-weak = les indices sont faibles ; dire ce qu’il en est avec --positive
 records-turned-round = retournés à la fois en mouvement et en force, { $tests } iraient avec les autres essais, tels que lus non : à vitesses pareilles, la force à mi-chemin entre détente et compression est de { $own } N dans { $test } et de { $usual } N dans les autres. Vérifier si ces fichiers comptent dans un autre sens, et corriger l’export ou les laisser de côté par --exclude
 records-other-settings = { $first } a { $times } fois l’effort de { $second } dans le même mouvement : ce sont plusieurs amortisseurs, ou plusieurs réglages d’un seul (clics, courant), et un modèle ne peut pas les représenter tous. Les identifier séparément (dossiers, ou --exclude). { $belong }
 records-several-settings = les essais ont été mesurés à { $count } réglages ({ $name }), et un modèle n’en contient qu’un : { $settings }. Les ajuster comme un seul amortisseur ({ $name }) avec dashpot fit --setting { $option }, ou chacun à part, les autres écartés avec --exclude ; dashpot diagnose --group les compare
+records-not-one-damper = { $settings }. Pour les ajuster tous comme un seul amortisseur sans réglage, donner --setting { $none }
 records-setting-at = { $value } : { $names }
 records-setting-varies = à la valve de l’amortisseur, { $setting } varie entre { $low } et { $high } pendant tout l’essai
 records-setting-changes = { $change }. dashpot fit --setting { $option } en identifie la réponse de la valve ; un modèle à un seul réglage ne peut pas le suivre (--exclude)
@@ -1653,7 +1660,7 @@ identification-zero-moves = le modèle laisse de chaque essai un autre effort co
 ## What a fit says. What the measurement is off by.
 
 identification-found-early = la voie d’effort est en avance de { $value } ms (95 % : { $low } à { $high })
-identification-found-delay = la voie d’effort est en retard de { $value } ms (95 % : { $low } à { $high })
+identification-found-delay = la voie d’effort est en retard de { $value } ms sur le mouvement (95 % : { $low } à { $high })
 identification-found-mass = le capteur d’effort entraîne une masse propre de { $value } kg (95 % : { $low } à { $high })
 identification-found-gain-drift = le gain de la voie d’effort dérive de { $value } % par minute (95 % : { $low } à { $high })
 identification-found-drift = le zéro de la voie d’effort dérive de { $value } N par minute (95 % : { $low } à { $high })
@@ -1765,10 +1772,12 @@ diagnosis-and = { " " }et{ " " }
 diagnosis-times = { $times } fois l’écart que laissent le bruit et la forme des courbes
 diagnosis-name-and-sure = { $effect } (sûr à { $percent }{ $instead })
 diagnosis-instead-of = , à la place de { $effect }
-diagnosis-has-effect = cet amortisseur montre { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe, { $rest }{ $also }
+diagnosis-has-effect = cet amortisseur montre { $names } ; { $residual }, { $rest }{ $also }
+diagnosis-residual-falls = le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe
+diagnosis-residual-stays = le résidu ne baisse pas ({ $before } fois le bruit et l’erreur de courbe avant, { $after } fois après)
 diagnosis-leaves-nothing = ce qui ne laisse rien d’inexpliqué
 diagnosis-leaves-a-part = ce qui laisse une part inexpliquée
-diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe, { $rest }{ $also }
+diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; { $residual }, { $rest }{ $also }
 diagnosis-also-changed = { " " }; également changé : { $changes }
 diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre { $effect } (sûr à { $sure }{ $instead })
 diagnosis-at-some-settings = { $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé
@@ -1830,7 +1839,7 @@ diagnosis-in-all-tests = dans tous les essais qui y passent
 diagnosis-in-test = dans l’essai { $test }
 diagnosis-more-tensile = l’effort mesuré est de { $mean } ± { $error } N plus en traction que l’effort calculé
 diagnosis-more-compressive = l’effort mesuré est de { $mean } ± { $error } N plus en compression que l’effort calculé
-diagnosis-off-both-ways = { $rms } N efficaces d’écart dans les deux sens
+diagnosis-off-both-ways = l’effort mesuré est tantôt supérieur, tantôt inférieur à l’effort calculé
 
 ## What a diagnosis says. Tests that would tell more.
 
@@ -1874,6 +1883,7 @@ diagnosis-beyond-side-force = un effort latéral de { $value } { $unit } au lieu
 ## What a diagnosis says. Why records cannot show an effect.
 
 diagnosis-needs-series = il fait partie du chemin en série : le modèle a d’abord besoin de la souplesse en série (series_compliance)
+diagnosis-series-added = il lui faut series_compliance, que ce diagnostic vient d’ajouter : relancer dashpot diagnose sur le modèle amélioré
 diagnosis-needs-fixed-curve = une courbe FV libre absorbe un terme en v² : il faut que la courbe soit fixée par une spécification
 diagnosis-needs-side-force = l’effort latéral ne varie pas : réaliser le même sinus sous deux efforts latéraux ou plus, en enregistrant la voie
 diagnosis-needs-temperature = aucune voie de température ne varie, et les horloges des mesures ne montrent pas d’échauffement : enregistrer la température de l’huile ou du tube, ou répéter un essai à froid et après une forte sollicitation

@@ -176,6 +176,8 @@ family-loops-section = 各设置的回线
 family-loops-about = 具有该运动的各设置下的同一运动：幅值 { $amplitude } mm，峰值速度 { $velocity } mm/s。
 family-worst-about = 以下为各设置下百分比误差最大的试验。
 family-worst-caption = { $setting }：{ $test }，平均误差 { $error } N，{ $percent } %
+plot-surface = 力随速度与设置的变化
+surface-caption = 模型在恒定速度下的力。彩色线为模型文件的各设置，灰色线为恒定速度及其间的设置。圆点为峰值速度下的实测力。
 plot-over-setting = 力随设置的变化
 over-setting-caption = 模型在恒定速度下的力。水平线表示不随设置变化。
 plot-ratio = 最硬与最软之比
@@ -348,7 +350,7 @@ quality-poor = 拟合较差
 quality-beside-noise = 为记录噪声（{ $noise } N）的 { $ratio } 倍
 quality-noise-unknown = 这些记录的噪声未知
 quality-curve-worse = 仅用 FV 曲线的偏差为 { $error } N（{ $percent } %），是其 { $ratio } 倍
-quality-curve-no-worse = 仅用 FV 曲线的偏差并不更大，为 { $error } N（{ $percent } %）
+quality-curve-no-worse = 仅用 FV 曲线时偏差大致相同或更小，为 { $error } N（{ $percent } %）
 fit-measured = 测量本身的误差
 fit-tests = 用于拟合的试验
 remarks = 备注
@@ -398,6 +400,7 @@ error-fitted = 没有留出试验（试验太少或未指定），因此这些�
 rating-left-out = { $grade }：在留出的试验上，模型与实测力相差 { $error } N（均方根），为其噪声的 { $ratio } 倍。
 rating-fitted = { $grade }：在参与拟合的试验上，模型与实测力相差 { $error } N（均方根），为其噪声的 { $ratio } 倍。
 gap-is-closed = { $error }；模型与噪声之间的差距缩小了 { $gap }，各试验均以自身噪声为单位计。
+gap-grows = { $error }；模型与噪声之间的差距增大了 { $gap }，各试验均以自身噪声为单位计。
 nothing-stays = 模型保持不变，仅重新拟合了其数值。
 changed-stays = 模型形式不变；其数值现为本减振器的数值。
 nothing-added-rivals = 未添加任何内容：在对记录解释得同样好的名称之间猜测毫无价值。下面列出可疑效应以及能够作出判断的试验。
@@ -410,6 +413,7 @@ col-left-out-rms = 留出试验, N 均方根
 mean-cycles-caption = 针对平均周期，其噪声小于单个周期。误差百分比：试验的 |计算 − 实测| 平均值除以其最大力，再对全部试验取平均。
 whole-deviation = 平均 { $error } N（{ $percent } %）
 whole-records = 对全部记录的每个采样点（与 dashpot validate 的算法相同）：原模型{ $came }，重新拟合后{ $refitted }，改进后{ $improved }。上面的数字针对平均周期，其中噪声已被平均掉。
+whole-records-refitted = 对全部记录的每个采样点（与 dashpot validate 的算法相同）：原模型{ $came }，重新拟合后{ $refitted }。上面的数字针对平均周期，其中噪声已被平均掉。
 
 ## The picture of a diagnosis.
 
@@ -473,10 +477,11 @@ shifts-section = 发生变化的模型参数
 finding-heading = { $place }. { $effect }{ $form }：把握 { $sure }
 finding-form = （{ $form }）
 finding-gap = 没有它，差距的 { $gap } 会重新出现。
+finding-disagreement = 去掉它后 { $gap } 的偏差重新出现。
 finding-of-rig = 它属于试验台而非减振器：在对比中修正，不加入模型。
 finding-added = 它已加入改进后的模型。
 finding-what = { $meaning }。{ $added }{ $gap }
-finding-why = 位置：{ $path }（类别：{ $family }，把握 { $family_sure }）。依据：去掉它后 { $share } 的偏差重新出现；它使 { $tests } 的试验残差减小。
+finding-why = 位置：{ $path }（类别：{ $family }，把握 { $family_sure }）。加入它后，{ $tests } 的试验残差减小。
 rivals-caption = 代替它尝试过的其他效应。
 col-parameter = 参数
 col-judged = 评价
@@ -499,6 +504,7 @@ loops-about = 之前的偏差占其力比例最大的试验。蓝色为实测平
 loop-heading = { $test }，{ $kind }
 loop-errors = 误差均方根之前 { $before } N，之后 { $after } N；仅噪声为 { $noise } N。{ $closed }
 loop-closed = 差距缩小了 { $gap }。
+loop-grown = 差距增大了 { $gap }。
 
 ## Errors by amplitude and peak velocity, before and after.
 
@@ -560,7 +566,7 @@ other-groups = 其他组
 plot-group-curves = 各组的 FV 曲线
 group-curves-caption = 各减振器匀速运动时的力，含摩擦和气体力，绘至其试验所及之处；虚线为参考。
 numbers-section = 发生变化的参数
-numbers-caption = 至少在一个组中与参考的差异超出两者不确定度的模型参数。
+numbers-caption = 至少在一个组中与参考的差异超出两者不确定度的模型参数。其下为已确定效应的数值。
 col-quantity = 参数
 measurement-section = 测量本身
 aside-section = 未分组
@@ -1109,7 +1115,7 @@ records-twins = { $test } 与 { $twin } 的采样相同，被计算两次
 ## What reading says of records. A force that comes late.
 
 records-late = 力比运动约晚 { $delay } ms：按此计，速度曲线有 { $left } % 的力方差未能解释，按原记录则为 { $recorded } %
-records-late-not-moved = { $late }{ $energy }。此处滞回也被计为延迟：dashpot fit 会将两者区分并去除延迟。未作任何移动；如不拟合而要修正，请给出 { $option }
+records-late-not-moved = { $late }{ $energy }。此处滞回看起来像延迟，因此未作任何移动。dashpot fit 会将两者区分，并报告所发现的延迟；其余为减振器的滞回。仅当已知试验台使力延迟这么多时才给出 { $option }
 records-would-feed = ；按原记录，减振器在 { $all } 个试验中有 { $count } 个会输出能量
 
 ## What reading says of records. The direction that the files count positive.
@@ -1134,6 +1140,7 @@ records-weak = 依据不足；请用 --positive rebound 或 --positive compressi
 records-turned-round = 若将运动与力同时反号，{ $tests } 便与其他试验相符，按原样读取则不符：在相同速度下，复原与压缩之间的中间力在 { $test } 中为 { $own } N，在其他试验中为 { $usual } N。请检查这些文件的正方向是否不同，并更正导出或用 --exclude 排除
 records-other-settings = 相同运动下 { $first } 的力是 { $second } 的 { $times } 倍：这是多个减振器，或同一减振器的多种设置（档位、电流），一个模型无法同时表示。请分开拟合（分文件夹，或用 --exclude）。{ $belong }
 records-several-settings = 试验在 { $count } 种设置（{ $name }）下测量，而一个模型只能表示其中一种：{ $settings }。请用 dashpot fit --setting { $option } 将其作为随{ $name }变化的同一减振器拟合，或分别拟合每种设置并用 --exclude 排除其他设置；dashpot diagnose --group 可进行比较
+records-not-one-damper = { $settings }。若要将其全部作为一个无设定的减振器拟合，请给出 --setting { $none }
 records-setting-at = { $value }：{ $names }
 records-setting-varies = 试验全程减振器阀的{ $setting }在 { $low } 与 { $high } 之间变化
 records-setting-changes = { $change }。dashpot fit --setting { $option } 由此辨识阀的响应；单一设置的模型无法跟随它（--exclude）
@@ -1401,7 +1408,7 @@ identification-zero-moves = 模型在各试验中剩下各不相同的恒定力�
 ## What a fit says. What the measurement is off by.
 
 identification-found-early = 力通道超前 { $value } ms（95 %：{ $low } 至 { $high }）
-identification-found-delay = 力通道滞后 { $value } ms（95 %：{ $low } 至 { $high }）
+identification-found-delay = 力通道比运动滞后 { $value } ms（95 %：{ $low } 至 { $high }）
 identification-found-mass = 力传感器带动自身的质量 { $value } kg（95 %：{ $low } 至 { $high }）
 identification-found-gain-drift = 力通道的增益每分钟漂移 { $value } %（95 %：{ $low } 至 { $high }）
 identification-found-drift = 力通道的零点每分钟漂移 { $value } N（95 %：{ $low } 至 { $high }）
@@ -1504,10 +1511,12 @@ diagnosis-and = 与
 diagnosis-times = 噪声和曲线形式所留误差的 { $times } 倍
 diagnosis-name-and-sure = { $effect }（把握 { $percent }{ $instead }）
 diagnosis-instead-of = ，取代 { $effect }
-diagnosis-has-effect = 该减振器显示 { $names }；残差由噪声与曲线误差的 { $before } 倍降至 { $after } 倍，{ $rest }{ $also }
+diagnosis-has-effect = 该减振器显示 { $names }；{ $residual }，{ $rest }{ $also }
+diagnosis-residual-falls = 残差由噪声与曲线误差的 { $before } 倍降至 { $after } 倍
+diagnosis-residual-stays = 残差没有下降（以噪声与曲线误差为单位：之前 { $before } 倍，之后 { $after } 倍）
 diagnosis-leaves-nothing = 没有未解释的部分
 diagnosis-leaves-a-part = 仍有一部分未得到解释
-diagnosis-new-effect = 该减振器上新出现：{ $names }；残差由噪声与曲线误差的 { $before } 倍降至 { $after } 倍，{ $rest }{ $also }
+diagnosis-new-effect = 该减振器上新出现：{ $names }；{ $residual }，{ $rest }{ $also }
 diagnosis-also-changed = ；另有变化：{ $changes }
 diagnosis-at-all-settings = 该减振器在每个设置下都表现出 { $effect }（把握 { $sure }{ $instead }）
 diagnosis-at-some-settings = { $effect }（把握 { $sure }{ $instead }）在 { $names } 处为模型所缺；在其他设置下未被指明
@@ -1569,7 +1578,7 @@ diagnosis-in-all-tests = 到达该处的全部试验中
 diagnosis-in-test = 试验 { $test } 中
 diagnosis-more-tensile = 实测力比计算力偏拉 { $mean } ± { $error } N
 diagnosis-more-compressive = 实测力比计算力偏压 { $mean } ± { $error } N
-diagnosis-off-both-ways = 正负两个方向均有偏差，均方根 { $rms } N
+diagnosis-off-both-ways = 实测力时高时低于计算力
 
 ## What a diagnosis says. Tests that would tell more.
 
@@ -1613,6 +1622,7 @@ diagnosis-beyond-side-force = 侧向力 { $value } { $unit }，已达到 { $reac
 ## What a diagnosis says. Why records cannot show an effect.
 
 diagnosis-needs-series = 它属于串联路径：模型首先需要串联柔度（series_compliance）
+diagnosis-series-added = 它需要 series_compliance，而该元件刚由本次诊断加入：请对改进后的模型再次运行 dashpot diagnose
 diagnosis-needs-fixed-curve = 自由的 FV 曲线会吸收 v² 项：需要由规格固定该曲线
 diagnosis-needs-side-force = 侧向力没有变化：在两种或更多侧向力下做同一正弦，并记录该通道
 diagnosis-needs-temperature = 没有变化的温度通道，记录的时钟也显示没有升温：请记录油温或筒温，或在冷态和剧烈工作后重复同一试验

@@ -176,6 +176,12 @@ fn numbers(answers: &GroupResults, words: &Words) -> Table {
             rows.push(vec![Cell::from(called.as_str()), answer.group.as_str().into(), value, interval]);
         }
     }
+    for answer in &answers.groups {
+        for (name, of) in answer.diagnosis.findings.iter().flat_map(|finding| &finding.parameters) {
+            let [value, interval] = Cell::with_interval(of.value, of.low, of.high, of.unit, words);
+            rows.push(vec![words.named(name).into(), answer.group.as_str().into(), value, interval]);
+        }
+    }
     Table {
         caption: words.numbers_caption.to_owned(),
         columns: vec![

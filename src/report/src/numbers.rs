@@ -74,10 +74,24 @@ pub fn fraction(value: f64) -> String {
     if value.is_finite() { format!("{}\u{a0}%", number(100.0 * value, 0)) } else { "–".into() }
 }
 
+/// Formats the closed fraction of a gap between error and noise, in percent, and returns whether the gap was closed.
+/// If not, the text is the growth of the gap. An error below the noise closes all of the gap.
+pub fn closed_gap(closed: f64) -> (String, bool) {
+    (fraction(closed.min(1.0).abs()), closed >= 0.0)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::words::EN;
+
+    #[test]
+    fn a_gap_is_closed_by_all_of_it_at_most_and_a_larger_error_is_growth() {
+        let of = |closed| {
+            closed_gap(closed).0.replace('\u{a0}', " ") + if closed_gap(closed).1 { " closed" } else { " more" }
+        };
+        assert_eq!([0.9, 3.26, -0.79].map(of), ["90 % closed", "100 % closed", "79 % more"]);
+    }
 
     #[test]
     fn significant_digits_survive_every_size() {

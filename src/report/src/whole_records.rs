@@ -14,5 +14,9 @@ pub fn in_words(deviation: &Deviation, words: &Words) -> String {
 /// Formats the errors of the given, the refitted and the improved model of a diagnosis as a sentence.
 pub fn format_errors(of: &OfDiagnosis, words: &Words) -> String {
     let [came, refitted, improved] = [&of.as_it_came, &of.refitted, &of.improved].map(|d| in_words(d, words));
+    // Without an added effect, the improved model is the refitted one.
+    if of.improved == of.refitted {
+        return words.fill(words.whole_records_refitted, &[("came", &came), ("refitted", &refitted)]);
+    }
     words.fill(words.whole_records, &[("came", &came), ("refitted", &refitted), ("improved", &improved)])
 }

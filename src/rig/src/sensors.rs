@@ -118,11 +118,12 @@ impl<'a> Sensors<'a> {
         }
     }
 
-    /// Makes a random stream that depends only on the campaign's seed, test name and channel, not on test order or
-    /// threads.
+    /// Makes a random stream that depends only on the campaign's noise seed, test name and channel, not on test order
+    /// or threads.
     fn stream(&self, channel: Channel) -> ChaCha8Rng {
         let mut key = [0; 32];
-        key[..8].copy_from_slice(&self.options.seed.to_le_bytes());
+        let seed = self.options.noise_seed.unwrap_or(self.options.seed);
+        key[..8].copy_from_slice(&seed.to_le_bytes());
         key[8..16].copy_from_slice(&fnv1a(self.test.as_bytes()).to_le_bytes());
         let mut stream = ChaCha8Rng::from_seed(key);
         stream.set_stream(channel as u64);

@@ -120,7 +120,7 @@ fn a_note_states_the_numbers_of_its_table() {
                     assert!(figure(&row[2]) <= high && figure(&row[3]) >= low, "{note} {row:?}");
                 }
                 *seen.entry("expected").or_default() += 1;
-            } else if note.contains("the force channel comes late by ") {
+            } else if note.contains("the force channel lags the motion by ") {
                 let row = row("delay");
                 assert_eq!(format!("{} ms", between(&note, "late by ", " ms")), row[0], "{note}");
                 let interval = between(&note, "(95 %: ", ")");

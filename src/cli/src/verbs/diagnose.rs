@@ -118,8 +118,13 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
 /// Writes the proposed tests as a test matrix. Returns a message on the result.
 fn written_next_tests(path: &Path, found: &Diagnosis, campaign: &Campaign) -> anyhow::Result<String> {
     let Some((matrix, without)) = found.next_matrix() else {
+        let others = if found.could_not_test.is_empty() {
+            ""
+        } else {
+            "; the tests that would show further effects are listed under 'could not test'"
+        };
         return Ok(format!(
-            "next tests: there is none that a rig could be driven by, so {} was not written",
+            "next tests: no sine within the reach of these tests distinguishes the effects in question, so {} was not written{others}",
             path.display()
         ));
     };

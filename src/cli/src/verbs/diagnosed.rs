@@ -8,7 +8,7 @@ use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_messages::Sentence;
 use dashpot_records::{Campaign, Record, Unusable};
 use dashpot_report::diagnosis::{DiagnosisReport, headline};
-use dashpot_report::numbers::{digits, fraction, with_interval, with_unit};
+use dashpot_report::numbers::{closed_gap, digits, fraction, with_interval, with_unit};
 use dashpot_report::whole_records;
 use dashpot_report::words::{TERMINAL, Words};
 use dashpot_report::{Made, Print, parameters, reading};
@@ -163,20 +163,21 @@ fn one(finding: &Finding) -> Vec<String> {
     let mut lines =
         vec![format!("Found {}{form}, {} sure: {}", finding.effect, fraction(finding.confidence), finding.meaning)];
     lines.push(format!(
-        "  where: {}, family {} ({} sure); {} of the disagreement opens again without it",
+        "  where: {}, family {} ({} sure)",
         finding.path,
         finding.family,
-        fraction(finding.family_confidence),
-        fraction(finding.fraction)
+        fraction(finding.family_confidence)
     ));
     for (name, v) in &finding.parameters {
         let far = if v.plausible { "" } else { "; outside what dampers and rigs show" };
         let (value, interval) = with_interval(v.value, v.low, v.high, v.unit, &TERMINAL);
         lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
     }
-    if let Some(gap) = finding.gap_closed {
-        lines.push(format!("  without it {} of the gap opens again", fraction(gap)));
-    }
+    // The gap on left-out tests says more than the disagreement on the fitted tests.
+    lines.push(match finding.gap_closed {
+        Some(gap) => format!("  without it {} of the gap opens again", fraction(gap)),
+        None => format!("  without it {} of the disagreement opens again", fraction(finding.fraction)),
+    });
     if finding.of_the_rig {
         lines.push("  of the rig: corrected in the comparison, not put into the model".to_owned());
     }
@@ -201,10 +202,10 @@ fn errors(found: &Diagnosis) -> Vec<String> {
     }
     if let Some(gap) = found.gap_closed {
         let tests = if found.after.left_out_rmse_n.is_some() { "left-out" } else { "fitted" };
-        lines.push(format!(
-            "  {} of the gap is closed on {tests} tests, each counted in units of its own noise",
-            fraction(gap)
-        ));
+        let (part, is_closed) = closed_gap(gap);
+        let change =
+            if is_closed { format!("{part} of the gap is closed") } else { format!("the gap grows by {part}") };
+        lines.push(format!("  {change} on {tests} tests, each counted in units of its own noise"));
     }
     lines
 }

@@ -18,7 +18,7 @@ use dashpot_identification::{
 use dashpot_messages::Sentence;
 use dashpot_output as output;
 use dashpot_records::hold_out::kept;
-use dashpot_records::{Campaign, Record, SignFinding, Unusable};
+use dashpot_records::{Campaign, Record, SignFinding, Unusable, WITHOUT_SETTING, not_one_damper};
 use dashpot_report::numbers::{with_interval, with_unit};
 use dashpot_report::parameters::assumed_of_damper;
 use dashpot_report::quality;
@@ -62,7 +62,8 @@ pub struct Args {
     #[arg(long, value_name = "NAME", value_delimiter = ',')]
     elements: Option<Vec<String>>,
     /// Fit one damper over a setting of the tests: current, clicks, voltage, pressure, or the name in campaign.toml. The fit determines
-    /// which parameters depend on the setting. Each setting is also predicted from the other settings
+    /// which parameters depend on the setting. Each setting is also predicted from the other settings. 'none' fits tests at several
+    /// settings as one damper
     #[arg(long, value_name = "NAME")]
     setting: Option<String>,
     /// Tests to leave out, by name; * stands for any characters
@@ -182,16 +183,26 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.elements.is_some() && args.model != Kind::Model(Family::Thesis) {
         bail!("--elements chooses the elements of --model thesis; the other models have no choice of elements");
     }
-    if args.setting.is_some() && args.model != Kind::Model(Family::Thesis) {
+    let setting = args.setting.as_deref().filter(|name| *name != WITHOUT_SETTING);
+    if setting.is_some() && args.model != Kind::Model(Family::Thesis) {
         bail!("--setting fits --model thesis over the setting; leave one of the two out");
     }
-    if args.setting.is_some() && excel.is_some() {
+    if setting.is_some() && excel.is_some() {
         bail!("--excel has the tables of a damper without a setting; those of a family are in --json");
     }
     if args.dimensions.is_some() && args.model != Kind::Model(Family::Thesis) {
         bail!("--dimensions gives priors to --model thesis; leave one of the two out");
     }
-    let campaign = if args.setting.is_some() { args.data.load_over_setting()? } else { args.data.load()? };
+    if setting.is_none() && report.is_some() {
+        bail!("--report is of a damper over a setting; dashpot validate writes the report of an ordinary damper");
+    }
+    let campaign = if setting.is_some() { args.data.load_over_setting()? } else { args.data.load()? };
+    let records = kept(&campaign, &args.hold_out)?;
+    if args.setting.is_none()
+        && let Some(why) = not_one_damper(&records)
+    {
+        bail!("{why}");
+    }
     let options = FitOptions {
         family: match args.model {
             Kind::Model(family) => family,
@@ -200,8 +211,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         elements: args.elements.clone(),
         priors: super::dimensions::priors(args.dimensions.as_deref())?,
     };
-    let records = kept(&campaign, &args.hold_out)?;
-    if let Some(setting) = &args.setting {
+    if let Some(setting) = setting {
         let report = report.map(|path| (path, &args.text));
         let outputs = Outputs { model: &args.output, json, report };
         return family::run((&campaign, &records), setting, &options, (&args.data, &outputs));

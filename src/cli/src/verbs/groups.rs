@@ -39,6 +39,10 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             .collect();
         let names = if names.is_empty() { answer.diagnosis.summary.to_string() } else { names.join(", ") };
         lines.push(format!("  {}: {}; {names}", answer.group, count_tests(answer.tests)));
+        for (name, of) in answer.diagnosis.findings.iter().flat_map(|finding| &finding.parameters) {
+            let (value, interval) = with_interval(of.value, of.low, of.high, of.unit, &TERMINAL);
+            lines.push(format!("    {name:<30} {value:>16}  95 %: {interval}"));
+        }
         // The summary of a damper that only changed states the changes itself.
         if answer.diagnosis.verdict == Verdict::Changed {
             continue;

@@ -15,15 +15,18 @@ use std::path::PathBuf;
 /// in the folder of the records lists the effects.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot rig -o campaign --seed 7 --noise 0.5 --matrix matrix.csv\n  dashpot rig -o riddle --seed 3 --noise 2 --hide cavitation,free_play=0.5 --plan diagnosis\n  dashpot rig -o neutral --seed 3 --hide nothing"
+    after_help = "Examples:\n  dashpot rig -o campaign --seed 7 --noise 0.5 --matrix matrix.csv\n  dashpot rig -o riddle --seed 3 --noise 2 --hide cavitation,free_play=0.5 --plan diagnosis\n  dashpot rig -o neutral --seed 3 --hide nothing\n  dashpot rig -o worn --seed 3 --noise-seed 4 --hide free_play"
 )]
 pub struct Args {
     /// Folder for the records, one CSV per test
     #[arg(short, long, value_name = "DIR")]
     output: PathBuf,
-    /// Seed of damper and noise; 0 is the default damper
+    /// Seed of damper and noise; 0 is the default damper. Two campaigns of one seed have the same noise, sample by sample
     #[arg(long, default_value_t = 0)]
     seed: u64,
+    /// Seed of the noise alone, for a second measurement of the same damper; --seed if not given
+    #[arg(long, value_name = "N")]
+    noise_seed: Option<u64>,
     /// Noise of the force, percent of each test's root-mean-square force; 0 makes every sensor ideal
     #[arg(long, value_name = "PERCENT", default_value_t = 1.0, allow_negative_numbers = true)]
     noise: f64,
@@ -83,6 +86,7 @@ fn plan_help() -> String {
 pub fn run(args: &Args) -> anyhow::Result<()> {
     let options = Options {
         seed: args.seed,
+        noise_seed: args.noise_seed,
         noise_percent: args.noise,
         sample_rate_hz: args.sample_rate,
         noise_colour: args.noise_colour,

@@ -2,7 +2,7 @@
 //! the actuator.
 
 use super::actuator::Actuator;
-use super::interpolation::{MAX_GRID, Place, limit};
+use super::interpolation::{GridPosition, MAX_GRID, limit};
 use crate::curve::MAX_POINTS;
 use crate::fault::{Fault, NO_PARAMETER, Reason};
 use crate::math::max;
@@ -413,7 +413,7 @@ impl Axis {
         if grid.len() < 2 {
             return;
         }
-        let place = Place::new(&self.grid, grid.len(), setting);
+        let place = GridPosition::new(&self.grid, grid.len(), setting);
         for varying in self.numbers() {
             let Some(row) = table().nth(varying.row as usize) else { continue };
             let Ok(number) = Number::try_from(row) else { continue };
@@ -522,7 +522,8 @@ impl Axis {
     /// Returns the parameters that depend on the setting and affect stored energy or the force at rest.
     ///
     /// A change of the setting may do work on the host through these parameters. If the result is empty, the damper is
-    /// passive for any change of the setting.
+    /// passive for any change of the setting, unless the FV curve has a force at zero velocity that depends on the
+    /// setting. Such a force does work at low velocities.
     ///
     /// Energy is stored in springs, oil columns and masses, in the force or the temperature of the gas, and in the
     /// deflection of a contact. A parameter that only affects dissipation may change at any time: at every instant the

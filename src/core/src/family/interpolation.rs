@@ -27,7 +27,7 @@ pub const MAX_GRID: usize = 8;
 
 /// Interval of the grid and the weights of its cubic at a setting.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct GridPosition {
     /// Index of the grid interval, from 0.
     pub interval: usize,
     /// Weights of the values at both ends of the interval, then of the derivatives there. The weights of the
@@ -35,10 +35,10 @@ pub struct Place {
     pub weights: [f64; 4],
 }
 
-impl Place {
+impl GridPosition {
     /// Finds the interval and the weights of a setting, which is clamped to the grid of `count` values.
     #[inline(always)]
-    pub fn new(grid: &[f64; MAX_GRID], count: usize, setting: f64) -> Place {
+    pub fn new(grid: &[f64; MAX_GRID], count: usize, setting: f64) -> GridPosition {
         let mut interval = 0;
         // There are at most eight grid values, so a linear search is sufficient.
         for (place, from) in grid.iter().enumerate().skip(1) {
@@ -51,7 +51,7 @@ impl Place {
         let rest = 1.0 - t;
         let weights =
             [rest * rest * (1.0 + 2.0 * t), t * t * (1.0 + 2.0 * rest), h * (t * (rest * rest)), -(h * (t * t * rest))];
-        Place { interval, weights }
+        GridPosition { interval, weights }
     }
 
     /// Interpolates between the values `y` at the grid values, with their derivatives `d` with respect to the setting.
@@ -136,7 +136,7 @@ mod tests {
         let y = padded(&[10.0, 12.0, 12.0, 40.0, 41.0, 90.0, 30.0, -5.0]);
         for count in 2..=MAX_GRID {
             let d = derivatives(&GRID[..count], &y[..count]);
-            let at = |s: f64| Place::new(&GRID, count, s).value(&y, &d);
+            let at = |s: f64| GridPosition::new(&GRID, count, s).value(&y, &d);
             for (s, y) in GRID.iter().zip(&y).take(count) {
                 assert_eq!(at(*s), *y);
             }
@@ -196,7 +196,7 @@ mod tests {
             }
             for step in 0..=400 {
                 let s = GRID[0] + (GRID[count - 1] - GRID[0]) * f64::from(step) / 400.0;
-                let place = Place::new(&GRID, count, s);
+                let place = GridPosition::new(&GRID, count, s);
                 let at = |k: usize| {
                     let y = padded(&forces.iter().map(|f| f[k]).collect::<Vec<_>>());
                     let d = padded(&d.iter().map(|d| d[k]).collect::<Vec<_>>());

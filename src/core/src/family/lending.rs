@@ -24,12 +24,12 @@ pub(crate) trait Numbers {
 macro_rules! numbers_at_setting {
     ($numbers:ident, $name:ident, $Type:ty, $then:expr) => {{
         const SLOTS: usize = $crate::parameter::row::slots_of(<$Type as $crate::schema::Describe>::PARAMETERS);
-        const START: (usize, usize) = $crate::parameter::row::start_of(Place::$name as usize);
+        const START: (usize, usize) = $crate::parameter::row::start_of(GroupIndex::$name as usize);
         let mut values = [0.0; SLOTS];
         for (to, from) in values.iter_mut().zip($numbers.params().slots(START.1, SLOTS)) {
             *to = *from;
         }
-        $numbers.put(Place::$name as usize, START.1, &mut values);
+        $numbers.put(GroupIndex::$name as usize, START.1, &mut values);
         let lengths = $numbers.params().lengths(START.0);
         $then(&$crate::schema::View::<$Type>::new(START.0, lengths, &values))
     }};
@@ -43,7 +43,7 @@ pub(crate) use numbers_at_setting;
 /// are invalid, the element of the family at its start setting applies.
 macro_rules! kept {
     ($of:ident, $numbers:ident, $renewed:ident, $name:ident, $Type:ty) => {
-        if $numbers.vary(Place::$name as usize) {
+        if $numbers.vary(GroupIndex::$name as usize) {
             let own = &*$of.$name;
             let made = numbers_at_setting!($numbers, $name, $Type, |view| {
                 <$Type as $crate::element::Prepare>::prepare(view).unwrap_or(*own)
@@ -60,7 +60,7 @@ pub(crate) use kept;
 /// setting. Such an element has its own methods for borrowing and preparing.
 macro_rules! lent_or_renewed {
     ($of:ident, $numbers:ident, $name:ident, $Type:ty) => {
-        if $numbers.vary(Place::$name as usize) {
+        if $numbers.vary(GroupIndex::$name as usize) {
             let own = &$of.$name;
             numbers_at_setting!($numbers, $name, $Type, |view| own.renewed(view))
         } else {

@@ -3,7 +3,7 @@
 use super::actuator::{Actuator, Stand};
 use super::axis::{Axis, MAX_NUMBERS};
 use super::delay::Delay;
-use super::interpolation::{MAX_GRID, Place, derivatives};
+use super::interpolation::{GridPosition, MAX_GRID, derivatives};
 use super::lending::Numbers;
 use super::section::{Lent, Points, ROOM, Section};
 use crate::assembly::Renewed;
@@ -114,7 +114,7 @@ impl BySetting {
 /// The parameters of a family at one setting.
 struct At<'a> {
     family: &'a Family,
-    place: Place,
+    place: GridPosition,
 }
 
 impl Numbers for At<'_> {
@@ -429,7 +429,7 @@ impl Family {
     /// Calls `question` with the damper at a setting. This damper exists only during the call.
     #[inline(always)]
     fn ask<R>(&self, setting: f64, question: impl FnOnce(&Model<Lent<'_>>) -> R) -> R {
-        let place = Place::new(&self.grid, self.count as usize, setting);
+        let place = GridPosition::new(&self.grid, self.count as usize, setting);
         let at = At { family: self, place };
         let count = self.point_count as usize;
         let mut forces;
@@ -462,7 +462,7 @@ impl Family {
     /// Interpolates the forces of the FV table at a position between grid values; forces after the last point have no
     /// meaning.
     #[inline(always)]
-    fn forces_at(&self, place: &Place, forces: &mut [f64; ROOM]) {
+    fn forces_at(&self, place: &GridPosition, forces: &mut [f64; ROOM]) {
         let (from, to) = (place.interval & (MAX_GRID - 1), (place.interval + 1) & (MAX_GRID - 1));
         let [w0, w1, w2, w3] = place.weights;
         let (f0, f1, d0, d1) = (&self.forces[from], &self.forces[to], &self.derivatives[from], &self.derivatives[to]);

@@ -48,7 +48,7 @@ macro_rules! groups {
         /// Indices of the elements in [`GROUPS`].
         #[allow(non_camel_case_types, missing_docs, clippy::upper_case_acronyms)]
         #[derive(Clone, Copy)]
-        pub(crate) enum Place { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($stateful,)* $($stop,)* $settings }
+        pub(crate) enum GroupIndex { $primary, $series, $($law,)* $($hydraulic,)* $late, $($inner,)* $($friction,)* $($preload,)* $($stateful,)* $($stop,)* $settings }
 
         /// Groups of the parameter table: the elements in the order of the element list, then the settings of the
         /// integration.
@@ -73,29 +73,29 @@ macro_rules! groups {
 
         /// Returns the position of a group's element in the model.
         pub fn acts(group: usize) -> Acts {
-            const fn acts(place: Acts, _: Place) -> Acts {
+            const fn acts(place: Acts, _: GroupIndex) -> Acts {
                 place
             }
             const ACTS: &[Acts] = &[
                 Acts::Primary,
                 Acts::Series,
-                $(acts(Acts::SeriesLaw, Place::$law),)*
-                $(acts(Acts::Hydraulic, Place::$hydraulic),)*
+                $(acts(Acts::SeriesLaw, GroupIndex::$law),)*
+                $(acts(Acts::Hydraulic, GroupIndex::$hydraulic),)*
                 Acts::Hydraulic,
-                $(acts(Acts::Inner, Place::$inner),)*
-                $(acts(Acts::Friction, Place::$friction),)*
-                $(acts(Acts::Preload, Place::$preload),)*
-                $(acts(Acts::Stateful, Place::$stateful),)*
-                $(acts(Acts::Stop, Place::$stop),)*
+                $(acts(Acts::Inner, GroupIndex::$inner),)*
+                $(acts(Acts::Friction, GroupIndex::$friction),)*
+                $(acts(Acts::Preload, GroupIndex::$preload),)*
+                $(acts(Acts::Stateful, GroupIndex::$stateful),)*
+                $(acts(Acts::Stop, GroupIndex::$stop),)*
             ];
             ACTS.get(group).copied().unwrap_or(Acts::Nowhere)
         }
 
         /// Number of elements, which is the number of groups without that of the integration's settings.
-        pub const ELEMENTS: usize = Place::$settings as usize;
+        pub const ELEMENTS: usize = GroupIndex::$settings as usize;
 
         /// Bit set of the elements of the default model; the bit of an element is its index in [`GROUPS`].
-        pub const DEFAULT_ON: u64 = 0 $(| 1 << Place::$default as usize)*;
+        pub const DEFAULT_ON: u64 = 0 $(| 1 << GroupIndex::$default as usize)*;
     };
 }
 

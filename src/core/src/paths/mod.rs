@@ -37,7 +37,7 @@ use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting}
 use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, Reason};
 use crate::parameter::Params;
-use crate::parameter::groups::Place;
+use crate::parameter::groups::GroupIndex;
 use crate::preparing::{Keep, checked, placed};
 use crate::tables::{Owned, OwnedElement, Tables};
 use bits::{
@@ -92,9 +92,9 @@ macro_rules! gathered {
 
             /// Bits of the elements of the force paths other than the FV curve and the series compliance. If one of
             /// them is on, the plain step of [`mod@crate::step`] does not apply.
-            pub(crate) const COUPLED: u64 = 0 $(| 1 << Place::$law as usize)* $(| 1 << Place::$hydraulic as usize)* | 1 << Place::$late as usize;
+            pub(crate) const COUPLED: u64 = 0 $(| 1 << GroupIndex::$law as usize)* $(| 1 << GroupIndex::$hydraulic as usize)* | 1 << GroupIndex::$late as usize;
             /// Bit of the series compliance in the set of elements that are on.
-            pub(crate) const MASS: u64 = 1 << Place::$series as usize;
+            pub(crate) const MASS: u64 = 1 << GroupIndex::$series as usize;
 
             /// Checks the parameters of each element that is on, element by element.
             ///
@@ -104,8 +104,8 @@ macro_rules! gathered {
                 type T = Owned;
                 macro_rules! each {
                     ($name:ident, $Type:ty) => {
-                        if params.elements() & (1 << Place::$name as usize) != 0 {
-                            checked::<$Type>(params, Place::$name as usize)?;
+                        if params.elements() & (1 << GroupIndex::$name as usize) != 0 {
+                            checked::<$Type>(params, GroupIndex::$name as usize)?;
                         }
                     };
                 }
@@ -123,8 +123,8 @@ macro_rules! gathered {
             /// Returns the element that requires an element that is off.
             pub(crate) fn check_together(params: &Params) -> Result<(), Fault> {
                 if params.elements() & Paths::<Owned>::MASS == 0 {
-                    $(if params.elements() & (1 << Place::$law as usize) != 0 {
-                        return Err(params.view::<$Law>(Place::$law as usize).fault_of_all(Reason::NeedsSeries));
+                    $(if params.elements() & (1 << GroupIndex::$law as usize) != 0 {
+                        return Err(params.view::<$Law>(GroupIndex::$law as usize).fault_of_all(Reason::NeedsSeries));
                     })*
                 }
                 Ok(())
@@ -136,7 +136,7 @@ macro_rules! gathered {
                 self.on = on;
                 macro_rules! each {
                     ($name:ident) => {
-                        placed(self.$name.kept(), on & (1 << Place::$name as usize) != 0, params, Place::$name as usize);
+                        placed(self.$name.kept(), on & (1 << GroupIndex::$name as usize) != 0, params, GroupIndex::$name as usize);
                     };
                 }
                 each!($primary);
@@ -193,7 +193,7 @@ macro_rules! gathered {
 
         impl<T: Tables> Paths<T> {
             #[inline(always)]
-            fn has(&self, place: Place) -> bool {
+            fn has(&self, place: GroupIndex) -> bool {
                 self.on & (1 << place as usize) != 0
             }
         }
@@ -218,12 +218,12 @@ impl<T: Tables> Paths<T> {
 
     #[inline(always)]
     pub(crate) fn has_free_play(&self) -> bool {
-        self.has(Place::free_play)
+        self.has(GroupIndex::free_play)
     }
 
     #[inline(always)]
     pub(crate) fn has_bushing(&self) -> bool {
-        self.has(Place::bushing)
+        self.has(GroupIndex::bushing)
     }
 
     /// Returns whether a part of the bushing relaxes slowly.
@@ -234,39 +234,39 @@ impl<T: Tables> Paths<T> {
 
     #[inline(always)]
     pub(crate) fn has_cavitation(&self) -> bool {
-        self.has(Place::cavitation)
+        self.has(GroupIndex::cavitation)
     }
 
     #[inline(always)]
     pub(crate) fn has_position(&self) -> bool {
-        self.has(Place::position_dependent_damping) && !self.position_dependent_damping.is_groove
+        self.has(GroupIndex::position_dependent_damping) && !self.position_dependent_damping.is_groove
     }
 
     /// Returns whether position-dependent damping is a flow that bypasses the valves.
     #[inline(always)]
     pub(crate) fn has_groove(&self) -> bool {
-        self.has(Place::position_dependent_damping) && self.position_dependent_damping.is_groove
+        self.has(GroupIndex::position_dependent_damping) && self.position_dependent_damping.is_groove
     }
 
     /// Returns whether frequency-selective damping is a flow that bypasses the valves.
     #[inline(always)]
     pub(crate) fn has_passage(&self) -> bool {
-        self.has(Place::frequency_selective_damping) && self.frequency_selective_damping.is_bypass
+        self.has(GroupIndex::frequency_selective_damping) && self.frequency_selective_damping.is_bypass
     }
 
     #[inline(always)]
     pub(crate) fn has_fade(&self) -> bool {
-        self.has(Place::temperature_fade)
+        self.has(GroupIndex::temperature_fade)
     }
 
     #[inline(always)]
     pub(crate) fn has_frequency_selective(&self) -> bool {
-        self.has(Place::frequency_selective_damping) && !self.frequency_selective_damping.is_bypass
+        self.has(GroupIndex::frequency_selective_damping) && !self.frequency_selective_damping.is_bypass
     }
 
     #[inline(always)]
     pub(crate) fn has_valve(&self) -> bool {
-        self.has(Place::valve_hysteresis)
+        self.has(GroupIndex::valve_hysteresis)
     }
 
     /// Returns whether the valve has mass.
@@ -278,25 +278,25 @@ impl<T: Tables> Paths<T> {
     /// Returns whether there is a compliant oil column.
     #[inline(always)]
     pub(crate) fn has_column(&self) -> bool {
-        self.has(Place::oil_compressibility) || self.has(Place::aeration)
+        self.has(GroupIndex::oil_compressibility) || self.has(GroupIndex::aeration)
     }
 
     /// Returns whether the length of the oil column depends on the displacement.
     #[inline(always)]
     pub(crate) fn has_length(&self) -> bool {
-        self.has(Place::oil_compressibility) && self.oil_compressibility.has_length()
+        self.has(GroupIndex::oil_compressibility) && self.oil_compressibility.has_length()
     }
 
     /// Returns whether the state of the oil column is the absorbed part of the piston stroke, instead of the
     /// deflection.
     #[inline(always)]
     pub(crate) fn counts_stroke(&self) -> bool {
-        self.has(Place::oil_compressibility) && self.oil_compressibility.counts_stroke()
+        self.has(GroupIndex::oil_compressibility) && self.oil_compressibility.counts_stroke()
     }
 
     #[inline(always)]
     pub(crate) fn has_aeration(&self) -> bool {
-        self.has(Place::aeration)
+        self.has(GroupIndex::aeration)
     }
 
     /// Returns the elements that act in a stage: bits of [`bits`].

@@ -147,7 +147,7 @@ pub trait StageDerivatives {
 /// implementation.
 ///
 /// In this module, [`PathsByEnd`] implements the trait. Observers of other crates implement [`FollowPaths`], and
-/// [`Told`] wraps them.
+/// [`FollowedStages`] wraps them.
 pub(super) trait EachStage {
     /// Returns whether the derivatives of the output are requested.
     fn wants_derivatives(&self) -> bool;
@@ -161,9 +161,9 @@ pub(super) trait EachStage {
 }
 
 /// Wrapper that makes a [`FollowPaths`] observer of another module an [`EachStage`].
-pub(super) struct Told<'a, F>(pub &'a mut F);
+pub(super) struct FollowedStages<'a, F>(pub &'a mut F);
 
-impl<F: FollowPaths> EachStage for Told<'_, F> {
+impl<F: FollowPaths> EachStage for FollowedStages<'_, F> {
     #[inline(always)]
     fn wants_derivatives(&self) -> bool {
         false

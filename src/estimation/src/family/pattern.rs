@@ -24,7 +24,7 @@ const FURTHER_CURVE: f64 = 2.0;
 pub enum Site {
     /// The forces of the FV curve.
     Curve,
-    /// A scalar parameter.
+    /// A scalar parameter, with the parameters that are relative to it.
     Number(Number),
 }
 
@@ -32,9 +32,11 @@ pub enum Site {
 pub fn site_of(free: &Free) -> Option<Site> {
     match free {
         Free::Model(Unknown::Rise { curve: CurveName::Fv, .. }) => Some(Site::Curve),
-        Free::Model(Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _)) => {
+        Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => {
             stores_energy(*number).is_some().then_some(Site::Number(*number))
         }
+        // The parameter is relative to `below`. If it were shared while `below` varies, its value would vary too.
+        Free::Model(Unknown::Above(number, below)) => stores_energy(*number).is_some().then_some(Site::Number(*below)),
         _ => None,
     }
 }
@@ -112,6 +114,20 @@ mod tests {
         assert!(of(Site::Curve) > of(Site::Number(number!("stribeck_coulomb_force"))));
         assert!(of(Site::Number(number!("stribeck_coulomb_force"))) > of(Site::Number(number!("gas_force"))));
         assert_eq!(varying_sites(&template, &varies(&template, &all)), all);
+    }
+
+    #[test]
+    fn breakaway_force_and_friction_level_vary_together() {
+        let base = Params::new();
+        let template = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
+        let free = |name: &str| {
+            let is_own = |free: &Free| match free {
+                Free::Model(Unknown::Log(n) | Unknown::Linear(n) | Unknown::Above(n, _)) => n.name() == name,
+                _ => false,
+            };
+            site_of(&template.numbers.iter().find(|number| is_own(&number.free)).unwrap().free).unwrap()
+        };
+        assert_eq!(free("stribeck_breakaway_force"), free("stribeck_coulomb_force"));
     }
 
     #[test]

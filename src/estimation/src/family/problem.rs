@@ -146,7 +146,7 @@ impl FamilyHypothesis {
     /// Refits the family from its start. Returns `None` if the family gives no finite force.
     pub fn refit(&self, settings: &[SettingTests], effort: Effort) -> Option<FamilyRefit> {
         let numbers = self.numbers();
-        let problem = Problem { family: self, settings, columns: self.columns(), length: self.len(), effort };
+        let problem = FamilyProblem { family: self, settings, columns: self.columns(), length: self.len(), effort };
         let (low, high) = numbers.iter().map(|n| n.bounds).unzip();
         let mut found = solve_knowing(&problem, &self.start(), None, &Bounds { low, high }, &options(&numbers, effort));
         if !found.cost.is_finite() || found.rows.len() != settings.len() {
@@ -183,7 +183,7 @@ impl FamilyHypothesis {
     }
 }
 
-struct Problem<'a> {
+struct FamilyProblem<'a> {
     family: &'a FamilyHypothesis,
     settings: &'a [SettingTests],
     columns: Vec<Vec<usize>>,
@@ -191,13 +191,13 @@ struct Problem<'a> {
     effort: Effort,
 }
 
-impl Problem<'_> {
+impl FamilyProblem<'_> {
     fn theta(&self, joint: &[f64], setting: usize) -> Vec<f64> {
         self.columns[setting].iter().map(|place| joint[*place]).collect()
     }
 }
 
-impl Residuals for Problem<'_> {
+impl Residuals for FamilyProblem<'_> {
     type At = Vec<f64>;
 
     fn prepare(&self, theta: &[f64]) -> Option<Vec<f64>> {

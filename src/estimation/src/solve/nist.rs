@@ -6,7 +6,7 @@
 use super::{Bounds, Options, Residuals, solve};
 use std::f64::consts::PI;
 
-struct Problem {
+struct ReferenceProblem {
     name: &'static str,
     /// Pairs of response and predictor.
     data: Vec<(f64, f64)>,
@@ -16,7 +16,7 @@ struct Problem {
     sum_of_squares: f64,
 }
 
-impl Residuals for Problem {
+impl Residuals for ReferenceProblem {
     type At = Vec<f64>;
 
     fn prepare(&self, b: &[f64]) -> Option<Vec<f64>> {
@@ -31,7 +31,7 @@ impl Residuals for Problem {
 /// Allowed relative error of a parameter, and of the residual sum of squares.
 const DIGITS: f64 = 1e-5;
 
-fn check(problem: &Problem) {
+fn check(problem: &ReferenceProblem) {
     for (k, start) in problem.starts.iter().enumerate() {
         let options = Options { steps: 5000, tolerance: 1e-14, ..Options::default() };
         let found = solve(problem, start, &Bounds::none(start.len()), &options);
@@ -52,7 +52,7 @@ const MISRA: [(f64, f64); 14] = [
 
 #[test]
 fn misra1a_to_d() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Misra1a",
         data: MISRA.to_vec(),
         model: |b, x| b[0] * (1.0 - libm::exp(-b[1] * x)),
@@ -60,7 +60,7 @@ fn misra1a_to_d() {
         certified: &[2.3894212918e2, 5.5015643181e-4],
         sum_of_squares: 1.2455138894e-1,
     });
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Misra1b",
         data: MISRA.to_vec(),
         model: |b, x| b[0] * (1.0 - (1.0 + b[1] * x / 2.0).powi(-2)),
@@ -68,7 +68,7 @@ fn misra1a_to_d() {
         certified: &[3.3799746163e2, 3.9039091287e-4],
         sum_of_squares: 7.5464681533e-2,
     });
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Misra1c",
         data: MISRA.to_vec(),
         model: |b, x| b[0] * (1.0 - libm::pow(1.0 + 2.0 * b[1] * x, -0.5)),
@@ -76,7 +76,7 @@ fn misra1a_to_d() {
         certified: &[6.3642725809e2, 2.0813627256e-4],
         sum_of_squares: 4.0966836971e-2,
     });
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Misra1d",
         data: MISRA.to_vec(),
         model: |b, x| b[0] * b[1] * x / (1.0 + b[1] * x),
@@ -88,7 +88,7 @@ fn misra1a_to_d() {
 
 #[test]
 fn dan_wood() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "DanWood",
         data: vec![(2.138, 1.309), (3.421, 1.471), (3.597, 1.490), (4.340, 1.565), (4.882, 1.611), (5.660, 1.680)],
         model: |b, x| b[0] * libm::pow(x, b[1]),
@@ -100,7 +100,7 @@ fn dan_wood() {
 
 #[test]
 fn box_bod() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "BoxBOD",
         data: vec![(109.0, 1.0), (149.0, 2.0), (149.0, 3.0), (191.0, 5.0), (213.0, 7.0), (224.0, 10.0)],
         model: |b, x| b[0] * (1.0 - libm::exp(-b[1] * x)),
@@ -112,7 +112,7 @@ fn box_bod() {
 
 #[test]
 fn rat42() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Rat42",
         data: vec![
             (8.93, 9.0), (10.80, 14.0), (18.59, 21.0), (22.33, 28.0), (39.35, 42.0), (56.11, 57.0), (61.73, 63.0),
@@ -131,7 +131,7 @@ fn rat43() {
         16.08, 33.83, 65.80, 97.20, 191.55, 326.20, 386.87, 520.53, 590.03, 651.92, 724.93, 699.56, 689.96, 637.56,
         717.41,
     ];
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Rat43",
         data: y.iter().enumerate().map(|(i, y)| (*y, 1.0 + i as f64)).collect(),
         model: |b, x| b[0] / libm::pow(1.0 + libm::exp(b[1] - b[2] * x), 1.0 / b[3]),
@@ -143,7 +143,7 @@ fn rat43() {
 
 #[test]
 fn mgh09() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "MGH09",
         data: vec![
             (0.1957, 4.0), (0.1947, 2.0), (0.1735, 1.0), (0.1600, 0.5), (0.0844, 0.25), (0.0627, 0.167), (0.0456, 0.125),
@@ -162,7 +162,7 @@ fn mgh10() {
         34780.0, 28610.0, 23650.0, 19630.0, 16370.0, 13720.0, 11540.0, 9744.0, 8261.0, 7030.0, 6005.0, 5147.0, 4427.0,
         3820.0, 3307.0, 2872.0,
     ];
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "MGH10",
         data: y.iter().enumerate().map(|(i, y)| (*y, 50.0 + 5.0 * i as f64)).collect(),
         model: |b, x| b[0] * libm::exp(b[1] / (x + b[2])),
@@ -178,7 +178,7 @@ fn mgh17() {
         844, 908, 932, 936, 925, 908, 881, 850, 818, 784, 751, 718, 685, 658, 628, 603, 580, 558, 538, 522, 506, 490, 478,
         467, 457, 448, 438, 431, 424, 420, 414, 411, 406,
     ];
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "MGH17",
         data: y.iter().enumerate().map(|(i, y)| (1e-3 * f64::from(*y), 10.0 * i as f64)).collect(),
         model: |b, x| b[0] + b[1] * libm::exp(-x * b[3]) + b[2] * libm::exp(-x * b[4]),
@@ -194,7 +194,7 @@ fn lanczos3() {
         2.5134, 2.0443, 1.6684, 1.3664, 1.1232, 0.9269, 0.7679, 0.6389, 0.5338, 0.4479, 0.3776, 0.3197, 0.2720, 0.2325,
         0.1997, 0.1723, 0.1493, 0.1301, 0.1138, 0.1000, 0.0883, 0.0783, 0.0698, 0.0624,
     ];
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Lanczos3",
         data: y.iter().enumerate().map(|(i, y)| (*y, 0.05 * i as f64)).collect(),
         model: |b, x| b[0] * libm::exp(-b[1] * x) + b[2] * libm::exp(-b[3] * x) + b[4] * libm::exp(-b[5] * x),
@@ -208,7 +208,7 @@ fn lanczos3() {
 
 #[test]
 fn chwirut2() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Chwirut2",
         data: vec![
             (92.9, 0.5), (57.1, 1.0), (31.05, 1.75), (11.5875, 3.75), (8.025, 5.75), (63.6, 0.875), (21.4, 2.25),
@@ -229,7 +229,7 @@ fn chwirut2() {
 
 #[test]
 fn thurber() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Thurber",
         data: vec![
             (80.574, -3.067), (84.248, -2.981), (87.264, -2.921), (87.195, -2.912), (89.076, -2.840), (89.608, -2.797),
@@ -257,7 +257,7 @@ fn thurber() {
 
 #[test]
 fn eckerle4() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Eckerle4",
         data: vec![
             (0.0001575, 400.0), (0.0001699, 405.0), (0.0002350, 410.0), (0.0003102, 415.0), (0.0004917, 420.0),
@@ -277,7 +277,7 @@ fn eckerle4() {
 
 #[test]
 fn roszman1() {
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "Roszman1",
         data: vec![
             (0.252429, -4868.68), (0.252141, -4868.09), (0.251809, -4867.41), (0.297989, -3375.19), (0.296257, -3373.14),
@@ -307,7 +307,7 @@ fn enso() {
         8.6, 8.6, 8.7, 12.8, 13.2, 14.0, 13.4, 14.8,
     ];
     assert_eq!(y.len(), 168);
-    check(&Problem {
+    check(&ReferenceProblem {
         name: "ENSO",
         data: y.iter().enumerate().map(|(i, y)| (*y, 1.0 + i as f64)).collect(),
         model: |b, x| {

@@ -448,11 +448,9 @@ impl Session {
             }
             Outcome::Fitted(fit) => {
                 self.fit_is_done(Replacement::Fitted(fit));
-                self.arrived = Some(Kind::Fit);
             }
             Outcome::FittedFamily(fit) => {
                 self.fit_is_done(Replacement::FittedFamily(fit));
-                self.arrived = Some(Kind::Fit);
             }
             Outcome::Validated(validation, basis) => {
                 self.results.validation = Some(Finding::of_validation(validation, *basis));

@@ -5,6 +5,7 @@
 use crate::session::Session;
 use crate::session::model::Tuned;
 use crate::session::results::{Finding, Fitted};
+use crate::session::tasks::Kind;
 use dashpot_core::Params;
 use dashpot_identification::family::FamilyFit;
 use dashpot_identification::model_file;
@@ -95,6 +96,7 @@ impl Session {
         }
         self.results.family_fit = None;
         self.results.fit = self.basis_of_fit().map(|basis| Finding::of_fit(fit, basis));
+        self.arrived = Some(Kind::Fit);
     }
 
     fn take_family_fit(&mut self, fit: Box<FamilyFit>) {
@@ -105,6 +107,7 @@ impl Session {
         self.own_settings = true;
         self.results.fit = None;
         self.results.family_fit = self.basis_of_fit().map(|basis| Finding::of_fit(fit, basis));
+        self.arrived = Some(Kind::Fit);
     }
 
     /// Replaces the model on screen. Undo restores the previous model.

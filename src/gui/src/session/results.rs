@@ -10,8 +10,10 @@ use dashpot_identification::family::FamilyFit;
 use dashpot_identification::validation::Validation;
 use dashpot_records::Record;
 use dashpot_simulation::whole_records::{OfDiagnosis, Quality};
+use std::cmp::Reverse;
 use std::collections::BTreeSet;
 use std::sync::Arc;
+use std::time::Instant;
 
 /// Model, records and tests from which a result was computed.
 #[derive(Debug, Clone, PartialEq)]
@@ -36,22 +38,24 @@ pub struct Finding<T> {
     basis: Basis,
     /// Function that returns the basis that this kind of result would have now.
     now: fn(&Session) -> Option<Basis>,
+    /// Instant at which the result arrived.
+    arrived: Instant,
 }
 
 impl<T> Finding<T> {
     /// Makes a [`Finding`] from the result of a fit and its [`Basis`].
     pub fn of_fit(found: T, basis: Basis) -> Finding<T> {
-        Finding { found, basis, now: Session::basis_of_fit }
+        Finding { found, basis, now: Session::basis_of_fit, arrived: Instant::now() }
     }
 
     /// Makes a [`Finding`] from the result of a validation and its [`Basis`].
     pub fn of_validation(found: T, basis: Basis) -> Finding<T> {
-        Finding { found, basis, now: Session::basis }
+        Finding { found, basis, now: Session::basis, arrived: Instant::now() }
     }
 
     /// Makes a [`Finding`] from the result of a diagnosis and its [`Basis`].
     pub fn of_diagnosis(found: T, basis: Basis) -> Finding<T> {
-        Finding { found, basis, now: Session::basis_of_diagnosis }
+        Finding { found, basis, now: Session::basis_of_diagnosis, arrived: Instant::now() }
     }
 
     /// Returns whether model, records or ticked tests have changed since the result.
@@ -91,6 +95,33 @@ pub struct Results {
     pub validation: Option<Finding<Box<Validation>>>,
     /// Last diagnosis.
     pub diagnosis: Option<Finding<Diagnosed>>,
+}
+
+/// Kind of a result.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// Fit of an ordinary damper.
+    Fit,
+    /// Fit of an adjustable damper.
+    FamilyFit,
+    /// Validation.
+    Validation,
+    /// Diagnosis.
+    Diagnosis,
+}
+
+impl Results {
+    /// Returns the kinds of the results at hand in the order of their display. Results that are out of date come last, and a newer result
+    /// comes before an older one.
+    pub fn order(&self, session: &Session) -> Vec<Kind> {
+        let mut all: Vec<(bool, Reverse<Instant>, Kind)> = Vec::new();
+        all.extend(self.fit.as_ref().map(|of| (of.is_old(session), Reverse(of.arrived), Kind::Fit)));
+        all.extend(self.family_fit.as_ref().map(|of| (of.is_old(session), Reverse(of.arrived), Kind::FamilyFit)));
+        all.extend(self.validation.as_ref().map(|of| (of.is_old(session), Reverse(of.arrived), Kind::Validation)));
+        all.extend(self.diagnosis.as_ref().map(|of| (of.is_old(session), Reverse(of.arrived), Kind::Diagnosis)));
+        all.sort_by_key(|(is_old, arrived, _)| (*is_old, *arrived));
+        all.into_iter().map(|(.., kind)| kind).collect()
+    }
 }
 
 impl Session {

@@ -12,7 +12,7 @@ use egui_kittest::kittest::NodeT as _;
 use std::collections::BTreeMap;
 
 /// Calls a function for every shape of the last frame, with the rectangle to which it is clipped.
-fn each_shape(harness: &Harness<'_, App>, mut see: impl FnMut(&Shape, Rect)) {
+pub(super) fn each_shape(harness: &Harness<'_, App>, mut see: impl FnMut(&Shape, Rect)) {
     fn inside(shape: &Shape, clip: Rect, see: &mut dyn FnMut(&Shape, Rect)) {
         match shape {
             Shape::Vec(all) => all.iter().for_each(|shape| inside(shape, clip, see)),
@@ -271,6 +271,28 @@ fn every_plot_with_several_lines_has_a_legend() {
     for setting in ["0 A", "1 A"] {
         assert!(has(&harness, Role::Label, setting), "{setting}");
     }
+}
+
+#[test]
+fn a_legend_shows_points_as_points() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    harness.run_steps(2);
+    let w = crate::words::texts(Language::English);
+    // Returns the fillings of the circles in an entry of the legend, and the number of its lines.
+    let marks = |entry: &str| {
+        let rect = widget(&harness, Role::Label, entry).rect();
+        let (mut circles, mut lines) = (Vec::new(), 0);
+        each_shape(&harness, |shape, _| match shape {
+            Shape::Circle(circle) if rect.contains(circle.center) => circles.push(circle.fill != Color32::TRANSPARENT),
+            Shape::LineSegment { points, .. } if rect.contains(points[0]) => lines += 1,
+            _ => {}
+        });
+        (circles, lines)
+    };
+    assert_eq!(marks(w.measured), (vec![true], 0), "measured peaks are dots");
+    assert_eq!(marks(w.fv_points), (vec![false], 0), "points to drag are rings");
+    assert_eq!(marks(w.steady_force), (vec![], 1), "the curve is a line");
 }
 
 /// Returns the names of the sliders with a mark of an identified value.

@@ -3,6 +3,7 @@
 //! The tests are part of the crate, because cargo would build the program for integration tests, and eframe a second time. The program
 //! aborts on a panic, but a test has to unwind.
 
+mod answers;
 mod drawings;
 mod drawn;
 mod made_up;

@@ -11,7 +11,7 @@ use eframe::egui::{self, RichText, Ui};
 
 /// Draws the panel.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
-    let (w, said) = (view.words(), view.language.words());
+    let w = view.words();
     ui.horizontal_wrapped(|ui| {
         let name = session.drawing.as_ref().and_then(|drawing| drawing.path.file_name());
         ui.heading(name.map(|name| name.to_string_lossy().into_owned()).unwrap_or_default());
@@ -27,7 +27,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         if !explanation.contradictions.is_empty() {
             ui.strong(w.contradictions);
             for found in &explanation.contradictions {
-                let text = RichText::new(format!("⚠ {}", said.say(&found.text))).color(ui.visuals().warn_fg_color);
+                let text =
+                    RichText::new(format!("⚠ {}", view.format().say(&found.text))).color(ui.visuals().warn_fg_color);
                 ui.add(egui::Label::new(text).wrap()).on_hover_text(found.parameter);
             }
             ui.separator();

@@ -6,7 +6,7 @@
 //! | [`fit`] | the button that fits a model |
 //! | [`status`] | progress, cancel and the last message, at the bottom |
 //! | [`tests`] | the tests with their notes |
-//! | [`plots`], [`lines`] | loops, force over time, peak forces with the draggable curve |
+//! | [`plots`], [`lines`], [`legend`] | loops, force over time, peak forces with the draggable curve |
 //! | [`matrix`] | the error matrix |
 //! | [`tables`] | forces at peak velocities and at given velocities |
 //! | [`tune`] | elements and sliders |
@@ -24,6 +24,7 @@ pub mod closing;
 pub mod drawing;
 pub mod fit;
 mod grid;
+mod legend;
 pub mod lines;
 pub mod matrix;
 pub mod plots;
@@ -38,6 +39,7 @@ pub mod tune;
 pub mod valve;
 
 use crate::dialogs::Ask;
+use crate::format::Format;
 use crate::session::matrix::Across;
 use crate::units::Units;
 use crate::words::{self, Language, Words};
@@ -91,6 +93,8 @@ pub struct View {
     pub anchor: Option<usize>,
     /// Panel on the right-hand side.
     pub side: Side,
+    /// Whether the panel of the results is to show its beginning in the next frame.
+    pub is_result_new: bool,
     /// Contents of the area at the lower right.
     pub corner: Corner,
     /// Quantity of the columns of the error matrix.
@@ -123,6 +127,11 @@ impl View {
     /// Returns the texts of the window in the selected language.
     pub fn words(&self) -> &'static Words {
         words::texts(self.language)
+    }
+
+    /// Returns the selected language and units.
+    pub fn format(&self) -> Format {
+        Format { language: self.language, units: self.units }
     }
 }
 

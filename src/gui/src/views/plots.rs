@@ -5,6 +5,7 @@ use crate::session::outputs::table;
 use crate::session::{Session, model};
 use crate::units::Shown;
 use crate::views::grid;
+use crate::views::legend::{self, Entry, LETTERS, Mark};
 use crate::views::lines::{Line as Drawn, Whose, identified_name, named};
 use crate::views::{View, hue};
 use crate::words::Words;
@@ -13,14 +14,12 @@ use dashpot_records::restrict;
 use dashpot_report::plot::axes::{Axis, Marks, Plane, Series};
 use dashpot_report::plot::palette::Role;
 use dashpot_simulation::prediction::{at_velocities, between_velocities};
-use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, RichText, Ui, Vec2, WidgetInfo};
+use eframe::egui::{self, Color32, Id, Key, Pos2, Rect, Ui, Vec2, WidgetInfo};
 use egui_plot::{HoverPosition, Line, LineStyle, Plot, PlotPoint, PlotPoints, PlotUi, Points};
 
 /// Largest distance between the pointer and a point of the curve at which a click grabs the point, px. It corresponds to the width of a
 /// fingertip on a touch pad.
 const GRAB: f32 = 12.0;
-/// Font size of legends and remarks on plots, px.
-const LETTERS: f32 = 11.5;
 
 /// Two axes with their names and units.
 #[derive(Clone)]
@@ -153,46 +152,6 @@ const ENTRIES: usize = 6;
 /// Largest number of entries in the legend of peak forces, whose curves have the short names of settings.
 const CURVES: usize = 12;
 
-/// Largest number of marks of entries without a name. The hues of tests repeat after so many.
-const MARKS: usize = 8;
-
-/// Draws a piece of a line as the mark of a legend entry.
-fn mark(ui: &Ui, rect: Rect, length: f32, colour: Color32, dashed: bool) {
-    let ends = [rect.left_center(), rect.left_center() + egui::vec2(length, 0.0)];
-    let stroke = egui::Stroke::new(2.0, colour);
-    if dashed {
-        ui.painter().extend(egui::Shape::dashed_line(&ends, stroke, 4.0, 2.5));
-    } else {
-        ui.painter().line_segment(ends, stroke);
-    }
-}
-
-/// Draws a legend above a plot. Every entry begins with a piece of the line. At most `most` entries show their names, further ones only
-/// their marks, and a tooltip lists their names.
-fn legend(ui: &mut Ui, entries: &[(Color32, bool, String)], most: usize) {
-    ui.horizontal_wrapped(|ui| {
-        ui.spacing_mut().item_spacing = egui::vec2(4.0, 0.0);
-        let ink = ui.visuals().text_color();
-        for (colour, dashed, name) in entries.iter().take(most) {
-            let galley = ui.painter().layout_no_wrap(name.clone(), egui::FontId::proportional(LETTERS), ink);
-            // One allocation prevents a line break between the mark and its name.
-            let (rect, entry) = ui.allocate_exact_size(galley.size() + egui::vec2(24.0, 2.0), egui::Sense::hover());
-            entry.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, name));
-            mark(ui, rect, 16.0, *colour, *dashed);
-            ui.painter().galley(rect.left_top() + egui::vec2(20.0, 1.0), galley, ink);
-        }
-        let Some(rest) = entries.get(most..).filter(|rest| !rest.is_empty()) else { return };
-        for (colour, dashed, name) in rest.iter().take(MARKS) {
-            let (rect, entry) = ui.allocate_exact_size(egui::vec2(12.0, LETTERS + 4.0), egui::Sense::hover());
-            entry.widget_info(|| WidgetInfo::labeled(egui::Role::Label, true, name));
-            mark(ui, rect, 10.0, *colour, *dashed);
-            entry.on_hover_text(name);
-        }
-        let names: Vec<&str> = rest.iter().map(|entry| entry.2.as_str()).collect();
-        ui.label(RichText::new(format!("+{}", rest.len())).size(LETTERS)).on_hover_text(names.join("\n"));
-    });
-}
-
 /// Returns the legend of the loop plots: every kind of drawn model once, and every measured test in its hue.
 ///
 /// `dashes_reference` says whether the lines of the reference are dashed. Otherwise dashes have another meaning, and the reference has the
@@ -204,8 +163,8 @@ fn entries(
     is_drawn: impl Fn(&Drawn) -> bool,
     dashes_reference: bool,
     words: &Words,
-) -> Vec<(Color32, bool, String)> {
-    let mut kinds: Vec<(Color32, bool, String)> = Vec::new();
+) -> Vec<Entry> {
+    let mut kinds: Vec<Entry> = Vec::new();
     for whose in [Whose::Model, Whose::Identified, Whose::Effect, Whose::Reference] {
         if let Some(line) = lines.iter().find(|l| l.whose == whose && is_drawn(l)) {
             let colour = match whose {
@@ -213,11 +172,12 @@ fn entries(
                 _ => look(ui, line).0,
             };
             let is_dashed = whose == Whose::Reference && dashes_reference;
-            kinds.push((colour, is_dashed, named(whose, session, words).to_owned()));
+            let mark = if is_dashed { Mark::Dashes } else { Mark::Line };
+            kinds.push(Entry::new(colour, mark, named(whose, session, words)));
         }
     }
     let tests = session.selected.iter().enumerate();
-    kinds.extend(tests.filter_map(|(place, k)| Some((hue(place), false, session.record(*k)?.name.clone()))));
+    kinds.extend(tests.filter_map(|(place, k)| Some(Entry::new(hue(place), Mark::Line, &session.record(*k)?.name))));
     kinds
 }
 
@@ -266,7 +226,7 @@ pub fn loops(ui: &mut Ui, session: &Session, view: &mut View, which: Which) {
         lines.iter().map(|l| (role(l.whose), l.name.clone(), plain(l))).collect()
     });
     let entries = entries(ui, session, &lines, |line| !points_of(line, which).is_empty(), true, words);
-    legend(ui, &entries, ENTRIES);
+    legend::show(ui, &entries, ENTRIES);
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
     let response = plot(id, &axes, which != Which::Temperature, words).show(ui, |plot| {
         for (line, look) in lines.iter().zip(&looks) {
@@ -295,8 +255,9 @@ pub fn gas_and_drag(ui: &mut Ui, session: &Session, view: &mut View) {
     });
     let weak = ui.visuals().text_color();
     let mut entries = entries(ui, session, &lines, |line| !line.gas.is_empty(), false, words);
-    entries.splice(0..0, [(weak, false, words.both_ways.to_owned()), (weak, true, words.drag.to_owned())]);
-    legend(ui, &entries, ENTRIES);
+    let both = [Entry::new(weak, Mark::Line, words.both_ways), Entry::new(weak, Mark::Dashes, words.drag)];
+    entries.splice(0..0, both);
+    legend::show(ui, &entries, ENTRIES);
     let looks: Vec<_> = lines.iter().map(|l| look(ui, l)).collect();
     let response = plot("gas", &axes, false, words).show(ui, |plot| {
         for (line, (colour, width)) in lines.iter().zip(looks) {
@@ -388,18 +349,18 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let handles: Vec<(f64, f64)> = handles.into_iter().map(|(x, y)| (v * x, f * y)).collect();
     let ink = ui.visuals().strong_text_color();
     let weak = ui.visuals().weak_text_color();
-    let mut entries = vec![(weak, false, words.measured.to_owned())];
+    let mut entries = vec![Entry::new(weak, Mark::Dot, words.measured)];
     if now.is_some() {
-        entries.push((ink, false, words.steady_force.to_owned()));
+        entries.push(Entry::new(ink, Mark::Line, words.steady_force));
     }
     if identified.is_some() {
-        entries.push((weak, false, before.to_owned()));
+        entries.push(Entry::new(weak, Mark::Line, before));
     }
     if !handles.is_empty() {
-        entries.push((ink, true, words.fv_points.to_owned()));
+        entries.push(Entry::new(ink, Mark::Ring, words.fv_points));
     }
-    entries.extend(own.iter().map(|of| (of.colour, false, of.setting.clone())));
-    legend(ui, &entries, CURVES);
+    entries.extend(own.iter().map(|of| Entry::new(of.colour, Mark::Line, &of.setting)));
+    legend::show(ui, &entries, CURVES);
     let grabbed = view.grabbed;
     let selected: Vec<(usize, [f64; 2])> = session
         .selected

@@ -8,7 +8,7 @@ use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
 
 /// Draws the panel.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
-    let (w, said) = (view.words(), view.language.words());
+    let (w, format) = (view.words(), view.format());
     if !session.has_records() {
         ui.label(w.welcome_hint);
         return;
@@ -66,8 +66,11 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.end_row();
         };
         field(w.delay, &mut reading.delay_s, 1e3, "ms", 0.05);
-        field(w.force_zero, &mut reading.force_zero_n, 1.0, "N", 0.5);
-        field(w.displacement_zero, &mut reading.displacement_zero_m, 1e3, "mm", 0.05);
+        // The steps of the fields are 0.5 N and 0.05 mm in every unit.
+        let (force, length) = (view.units.force(), view.units.length());
+        field(w.force_zero, &mut reading.force_zero_n, force.factor, &force.symbol, 0.5 * force.factor);
+        let zero = &mut reading.displacement_zero_m;
+        field(w.displacement_zero, zero, length.factor, &length.symbol, 5e-5 * length.factor);
         field(w.gain, &mut reading.gain, 1.0, "", 0.001);
         field(w.rig_mass, &mut reading.rig_mass_kg, 1.0, "kg", 0.01);
         // The field shows a rate of zero if no rate is set, because files with a time column need none.
@@ -111,7 +114,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     let reasons = session.campaign.as_ref().map_or_else(Vec::new, |c| c.campaign.sign.reasons.clone());
     egui::ScrollArea::vertical().id_salt("notes").auto_shrink([false, false]).show(ui, |ui| {
         for text in reasons.iter().chain(notes.iter().map(|n| &n.text)) {
-            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", said.say(text))).weak()).wrap());
+            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", format.say(text))).weak()).wrap());
         }
     });
 }

@@ -7,7 +7,7 @@ use eframe::egui::{self, Ui};
 
 /// Draws the line at the bottom.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
-    let (w, said) = (view.words(), view.language.words());
+    let (w, format) = (view.words(), view.format());
     ui.horizontal(|ui| {
         if let Some(task) = &session.task {
             let doing = match task.kind {
@@ -29,18 +29,18 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             if ui.add_enabled(!cancelled, egui::Button::new(w.cancel)).clicked() {
                 session.cancel();
             }
-            let now = progress.text.map_or_else(String::new, |text| said.say(&text.into()));
+            let now = progress.text.map_or_else(String::new, |text| format.say(&text.into()));
             ui.label(format!("{now} · {seconds} s"));
             return;
         }
         match &session.message {
             Some(message) if message.wrong => {
                 let text =
-                    egui::RichText::new(format!("⚠ {}", said.say(&message.text))).color(ui.visuals().error_fg_color);
+                    egui::RichText::new(format!("⚠ {}", format.say(&message.text))).color(ui.visuals().error_fg_color);
                 ui.add(egui::Label::new(text).wrap());
             }
             Some(message) => {
-                ui.label(said.say(&message.text));
+                ui.label(format.say(&message.text));
             }
             None => {}
         }

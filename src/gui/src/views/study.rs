@@ -3,15 +3,16 @@
 
 use crate::session::Session;
 use crate::session::model::Reach;
-use crate::session::study::{Question, Study};
+use crate::session::study::{Member, Question, Study};
 use crate::units::{Units, read};
+use crate::views::legend::{self, Entry, Mark};
 use crate::views::{Corner, View, hue, named_list, translate_name};
 use crate::views::{grid, results};
 use crate::words::Words;
 use dashpot_core::parameter::{self, Element, Number, Row, Shape};
 use dashpot_estimation::scale::Scale;
 use eframe::egui::{self, ComboBox, RichText, Slider, Ui, WidgetInfo};
-use egui_plot::{Legend, Line, Plot, PlotPoints};
+use egui_plot::{Line, Plot, PlotPoints};
 
 /// Input fields of the study.
 pub struct Form {
@@ -115,21 +116,21 @@ fn around(value: f64, reach: &Reach) -> [f64; 2] {
 }
 
 fn table(ui: &mut Ui, study: &Study, units: Units, w: &Words) {
-    let force = units.force();
+    let (force, work) = (units.force(), units.energy());
     let unit = units.shown(study.question.number.parameter().unit);
     egui::Grid::new("study").num_columns(3).striped(true).show(ui, |ui| {
         ui.strong(format!("{} [{}]", translate_name(study.question.number.name(), w.of.words()), unit.symbol));
-        ui.strong(format!("{} [J]", w.area));
+        ui.strong(format!("{} [{}]", w.area, work.symbol));
         ui.strong(format!("{} [{}]", w.gap, force.symbol));
         ui.end_row();
         for (k, member) in study.members.iter().enumerate() {
             ui.label(RichText::new(w.digits(unit.factor * member.value)).color(hue(k)));
-            ui.label(w.digits(member.area));
+            ui.label(w.digits(work.factor * member.area));
             ui.label(w.digits(force.factor * member.gap));
             ui.end_row();
         }
         ui.label(w.measured);
-        ui.label(w.digits(study.measured[0]));
+        ui.label(w.digits(work.factor * study.measured[0]));
         ui.label(w.digits(force.factor * study.measured[1]));
         ui.end_row();
     });
@@ -177,6 +178,12 @@ pub fn plot(ui: &mut Ui, session: &Session, units: Units, w: &'static Words) {
         translate_name(study.question.number.name(), w.of.words()),
         loaded.campaign.records[study.question.test].name
     ));
+    let weak = ui.visuals().weak_text_color();
+    let name = |member: &Member| format!("{} {}", w.digits(unit.factor * member.value), unit.symbol);
+    let of_members = study.members.iter().enumerate();
+    let mut entries = vec![Entry::new(weak, Mark::Line, w.measured)];
+    entries.extend(of_members.map(|(k, member)| Entry::new(hue(k), Mark::Line, name(member))));
+    legend::show(ui, &entries, entries.len());
     let velocity = &seen.cycle_motion.velocity;
     let step = seen.cycle_samples.div_ceil(400).max(1);
     let points = |force: &[f64]| -> Vec<[f64; 2]> {
@@ -188,16 +195,11 @@ pub fn plot(ui: &mut Ui, session: &Session, units: Units, w: &'static Words) {
     };
     let lower = format!("{} [{}]", w.velocity, speed.symbol);
     let left = format!("{} [{}]", w.force, newtons.symbol);
-    // The entries are in the order of the values. Forces of one sign belong to velocities of this sign, so the upper left is empty.
-    let legend =
-        Legend::default().background_alpha(0.8).position(egui_plot::Corner::LeftTop).follow_insertion_order(true);
-    grid::with_axes(Plot::new("study"), lower, left, w).legend(legend).show(ui, |plot| {
-        let weak = plot.ctx().global_style().visuals.weak_text_color();
+    grid::with_axes(Plot::new("study"), lower, left, w).show(ui, |plot| {
         let measured = points(&seen.cycle.force[..seen.cycle_samples]);
         plot.line(Line::new(w.measured, PlotPoints::from(measured)).color(weak).width(2.0));
         for (k, member) in study.members.iter().enumerate() {
-            let name = format!("{} {}", w.digits(unit.factor * member.value), unit.symbol);
-            plot.line(Line::new(name, PlotPoints::from(points(&member.force))).color(hue(k)).width(1.2));
+            plot.line(Line::new(name(member), PlotPoints::from(points(&member.force))).color(hue(k)).width(1.2));
         }
     });
 }

@@ -40,8 +40,8 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         Positive::Compression => w.compression_positive,
     };
     let sure = if sign.is_stated { String::new() } else { format!(" ({} %)", w.fixed(100.0 * sign.confidence, 0)) };
-    let said = view.language.words();
-    let reasons: Vec<String> = sign.reasons.iter().map(|reason| said.say(reason)).collect();
+    let format = view.format();
+    let reasons: Vec<String> = sign.reasons.iter().map(|reason| format.say(reason)).collect();
     ui.weak(format!("{direction}{sure}")).on_hover_text(reasons.join("\n"));
     let filter = ui.add(egui::TextEdit::singleline(&mut view.filter).hint_text(w.filter).desired_width(f32::INFINITY));
     filter.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, w.filter));
@@ -69,7 +69,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
         let others = session.reference.clone();
         let of_others = others.iter().flat_map(|o| &o.campaign.notes).filter(|n| n.kind == "left_out");
         for note in loaded.campaign.notes.iter().chain(of_others) {
-            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", said.say(&note.text))).weak()).wrap());
+            ui.add(egui::Label::new(egui::RichText::new(format!("• {}", format.say(&note.text))).weak()).wrap());
         }
     });
 }
@@ -93,7 +93,7 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
         let error = session.simulated.as_ref().and_then(|s| s.tests.get(k)).map(|t| t.percent);
         let figures = match error {
             Some(percent) => format!("{} %", w.fixed(percent, 2)),
-            None => format!("{} Hz", w.digits(record.frequency)),
+            None => format!("{}\u{a0}Hz", w.digits(record.frequency)),
         };
         let warning = if is_damaged(record) { "⚠ " } else { "" };
         let text = format!("{warning}{}", record.name);
@@ -168,21 +168,21 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
             ui.end_row();
         };
         if let Some(of) = simulated {
-            line(w.mean_error, format!("{}, {} %", in_unit(&force, of.mean_error), w.fixed(of.percent, 2)));
+            line(w.mean_error, format!("{}, {}\u{a0}%", in_unit(&force, of.mean_error), w.fixed(of.percent, 2)));
         }
         line(w.amplitude, in_unit(&units.length(), record.amplitude));
-        line(w.frequency, format!("{} Hz", w.digits(record.frequency)));
+        line(w.frequency, format!("{}\u{a0}Hz", w.digits(record.frequency)));
         line(w.peak_velocity, in_unit(&units.velocity(), record.peak_velocity));
         line(w.largest_force, in_unit(&force, seen.max_force));
         if !record.cycles.is_empty() {
             line(w.cycles, record.cycles.len().to_string());
-            line(w.work, format!("{} J", w.digits(area)));
+            line(w.work, in_unit(&units.energy(), area));
         }
         line(w.noise, in_unit(&force, record.noise.force_rms));
     });
-    let said = view.language.words();
+    let format = view.format();
     for note in &record.notes {
-        let text = egui::RichText::new(format!("• {}", said.say(&note.text)));
+        let text = egui::RichText::new(format!("• {}", format.say(&note.text)));
         let text = if is_of_damage(note) { text.color(ui.visuals().warn_fg_color) } else { text.weak() };
         ui.add(egui::Label::new(text).wrap());
     }

@@ -1,6 +1,7 @@
 //! Panel with a switch for every element and a slider for every parameter. Marks show prior, 95 % interval and
 //! identified value.
 
+use crate::format::Format;
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, prior_band};
 use crate::units::{Units, read};
@@ -38,7 +39,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     }
     // The notes name parameters of disabled elements in the file, because they take effect once the element is enabled.
     for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
-        ui.add(egui::Label::new(egui::RichText::new(view.language.words().say(&note)).weak()).wrap());
+        ui.add(egui::Label::new(egui::RichText::new(view.format().say(&note)).weak()).wrap());
     }
     setting(ui, session, w);
     let is_of_a_fit = session.model.as_ref().is_some_and(Tuned::is_of_a_fit);
@@ -176,7 +177,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
     let interval = model.interval(p.name, entry);
     let scale = Scale::from_params(&model.identified);
     let reach = Reach::new(row, scale, identified, now, interval);
-    let unit = units.shown(p.unit);
+    let (unit, format) = (units.shown(p.unit), Format { language: w.of, units });
     let (identifier, name) = match p.shape {
         Shape::List(_) => {
             (format!("{}[{entry}]", p.name), format!("{} {}", translate_name(p.name, w.of.words()), entry + 1))
@@ -191,7 +192,7 @@ fn number(ui: &mut Ui, session: &mut Session, w: &Words, units: Units, row: &Row
     };
     let mut hint = format!("{identifier}\n{}", w.of.words().meaning_of_parameter(p.name));
     if loose {
-        hint += &format!("\n{}", assumed(p.name, identified, &model.identified, None, w.of.words()));
+        hint += &format!("\n{}", format.restate(&assumed(p.name, identified, &model.identified, None, w.of.words())));
     }
     ui.add(egui::Label::new(title).wrap()).on_hover_text(hint);
     // A parameter that the fit did not identify gets no mark of an identified value.

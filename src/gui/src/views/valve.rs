@@ -1,15 +1,15 @@
 //! Panel of an adjustable damper's valve: responses to a step up and a step down, and the parameters of the actuator.
 
 use crate::session::Session;
+use crate::views::legend::{self, Entry, Mark};
 use crate::views::{View, grid};
 use crate::words::Words;
 use dashpot_identification::validation::{ResponseTimes, StepResponse};
-use dashpot_report::numbers::with_interval;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
-use egui_plot::{Legend, Line, Plot, PlotPoints};
+use egui_plot::{Line, Plot, PlotPoints};
 
 /// Height of the plot of a response, px. With it, two responses and their times fit into a window of 800 px.
-const HEIGHT: f32 = 162.0;
+const HEIGHT: f32 = 146.0;
 /// Color of the model's response.
 const MODEL: Color32 = Color32::from_rgb(213, 94, 0);
 
@@ -49,25 +49,21 @@ fn plot(ui: &mut Ui, id: &'static str, of: &StepResponse, view: &View) {
     let line = |response: &[f64]| -> PlotPoints<'static> {
         of.time.iter().zip(response).map(|(t, r)| [1e3 * t, *r]).filter(|point| point[1].is_finite()).collect()
     };
+    let weak = ui.visuals().weak_text_color();
+    let measured = (!of.measured_response.is_empty()).then(|| Entry::new(weak, Mark::Line, w.measured));
+    let entries: Vec<Entry> = measured.into_iter().chain([Entry::new(MODEL, Mark::Line, w.model)]).collect();
+    legend::show(ui, &entries, entries.len());
     // The last number of the lower axis extends beyond the plot, so the plot ends before the edge of the panel.
     let width = ui.available_width() - 14.0;
     let plot = Plot::new(id).height(HEIGHT).width(width).set_margin_fraction(Vec2::splat(0.04));
     // With the mark of a pure number, the label would be longer than the axis.
     let way = said.axis_way.trim_end_matches(", -").to_owned();
-    grid::with_axes(plot, said.axis_since_step.to_owned(), way, w)
-        .legend(
-            Legend::default()
-                .background_alpha(0.8)
-                .position(egui_plot::Corner::RightBottom)
-                .follow_insertion_order(true),
-        )
-        .show(ui, |plot| {
-            let weak = plot.ctx().global_style().visuals.weak_text_color();
-            if !of.measured_response.is_empty() {
-                plot.line(Line::new(w.measured, line(&of.measured_response)).color(weak).width(3.5));
-            }
-            plot.line(Line::new(w.model, line(&of.model_response)).color(MODEL).width(1.5));
-        });
+    grid::with_axes(plot, said.axis_since_step.to_owned(), way, w).show(ui, |plot| {
+        if !of.measured_response.is_empty() {
+            plot.line(Line::new(w.measured, line(&of.measured_response)).color(weak).width(3.5));
+        }
+        plot.line(Line::new(w.model, line(&of.model_response)).color(MODEL).width(1.5));
+    });
 }
 
 /// Draws the times of one response, in ms, and its overshoot.
@@ -135,10 +131,7 @@ fn numbers(ui: &mut Ui, session: &Session, view: &View) {
         for number in session.valve_numbers() {
             ui.label(RichText::new(number.name).small());
             let text = match number.interval {
-                Some([low, high]) => {
-                    let (value, interval) = with_interval(number.value, low, high, &number.unit, said);
-                    said.number(&format!("{value}  ({interval})"))
-                }
+                Some([low, high]) => view.format().with_interval(number.value, low, high, &number.unit),
                 None => format!("{} {}", view.words().digits(number.value), number.unit),
             };
             ui.label(RichText::new(text).small());

@@ -18,7 +18,7 @@ use dashpot_messages::{Kept, Sentence};
 pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     let params = file.definition().params_at(setting);
     let mut identification = file.identification.clone();
-    let place = Place::new(file.axis.grid(), setting);
+    let place = GridPlace::new(file.axis.grid(), setting);
     let error = InterpolationError::new(&file.definition());
     let mut without = Vec::new();
     for (name, over) in std::mem::take(&mut identification.intervals_over_setting) {
@@ -58,7 +58,7 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
 }
 
 /// Position of a setting on a grid, with the indices of the neighboring settings of the grid below and above it.
-struct Place {
+struct GridPlace {
     setting: f64,
     left: usize,
     right: usize,
@@ -66,15 +66,15 @@ struct Place {
     part: f64,
 }
 
-impl Place {
-    fn new(grid: &[f64], setting: f64) -> Place {
+impl GridPlace {
+    fn new(grid: &[f64], setting: f64) -> GridPlace {
         let last = grid.len().saturating_sub(1);
         let right = grid.partition_point(|value| *value < setting).min(last);
         let left = if grid.get(right).is_some_and(|value| *value <= setting) { right } else { right.saturating_sub(1) };
         let width = grid.get(right).zip(grid.get(left)).map_or(0.0, |(right, left)| right - left);
         // Beyond the grid, the damper equals the damper at the end of the grid.
         let part = if width > 0.0 { ((setting - grid[left]) / width).clamp(0.0, 1.0) } else { 0.0 };
-        Place { setting, left, right, part }
+        GridPlace { setting, left, right, part }
     }
 
     fn neighbors(&self, grid: &[f64]) -> Vec<f64> {

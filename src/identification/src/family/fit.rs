@@ -24,6 +24,7 @@ use dashpot_estimation::family::pattern::{Site, varying_sites};
 use dashpot_estimation::family::problem::{FamilyHypothesis, FamilyRefit, SettingTests};
 use dashpot_estimation::family::search::{dependences, search_family};
 use dashpot_estimation::family::structure::FamilyStructure;
+use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::{self, Test, segments};
@@ -31,6 +32,7 @@ use dashpot_estimation::structure::alternatives::Part;
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::StructureSearch;
+use dashpot_estimation::unknowns::Unknown;
 use dashpot_messages::Sentence;
 use dashpot_records::Record;
 use dashpot_records::measurement_correction::MeasurementError;
@@ -253,10 +255,16 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
     let known = Known { covariance, determined, sources: sources(&joint, &joint_refit, &tests) };
     let columns = hypothesis.columns();
     let varying = varying_sites(&hypothesis.template, &hypothesis.varies);
+    let is_relative_to = |level: &str, name: &str| {
+        hypothesis.template.numbers.iter().any(|number| match number.free {
+            Free::Model(Unknown::Above(own, below)) => own.name() == name && below.name() == level,
+            _ => false,
+        })
+    };
     let varies = |estimate: &Estimate| {
         varying.iter().any(|site| match site {
             Site::Curve => estimate.name == list!("fv_force").name(),
-            Site::Number(number) => estimate.name == number.name(),
+            Site::Number(number) => estimate.name == number.name() || is_relative_to(number.name(), estimate.name),
         })
     };
     // The tests at a setting decide whether a number of this setting counts as identified. All tests decide about a shared number.

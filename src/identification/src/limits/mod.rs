@@ -1,7 +1,8 @@
 //! Checks of a damper against limits that its maker or buyer states.
 //!
 //! [`table`] reads the limits, and [`measured`] extracts the figures from the records. [`judge`] compares limits and records, and
-//! [`Figures::judge`] compares limits and stored figures. [`judge_over_settings`] judges a damper over a setting.
+//! [`Figures::judge`] compares limits and stored figures. [`judge_over_settings`] judges a damper over a setting,
+//! [`SettingsFigures::judge`] its stored figures.
 //!
 //! The verdict applies to the measured damper. If a model is given, the same rules judge its forces separately. A model that represents the
 //! damper in a vehicle must meet the limits too.
@@ -13,7 +14,8 @@ mod table;
 
 pub use measured::{BETWEEN, Figures, NEAR};
 pub use over_settings::{
-    SettingLimitError, check_over_settings, check_without_setting, judge_over_settings, restate_settings_of_limits,
+    SettingLimitError, SettingsFigures, check_over_settings, check_without_setting, judge_over_settings,
+    restate_settings_of_limits,
 };
 pub use table::{Limit, LimitError, Quantity, parse, read};
 

@@ -6,6 +6,7 @@ use super::{Certificate, Checked, Overall, Value, Verdict};
 use crate::validation::{ResponseTimes, StepGroup, StepResponse, TimeUncertainty};
 use dashpot_messages::format_number;
 use dashpot_records::{Record, is_same_setting, restate_in_unit};
+use serde::{Deserialize, Serialize};
 
 /// Reason why limits do not match the damper.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -94,103 +95,178 @@ pub fn check_over_settings(limits: &[Limit], settings: &[Option<f64>]) -> Result
     }
 }
 
+/// Response times of the steps from one setting to another, over all of them or in one test and stroke direction.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+struct StepTimes {
+    from: f64,
+    to: f64,
+    tests: Vec<String>,
+    times: ResponseTimes,
+    uncertainty: Option<TimeUncertainty>,
+}
+
+/// Figures of a damper over a setting, measured from its records, that decide about every limit. Serde can store them as text.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+pub struct SettingsFigures {
+    /// Figures of the tests at each constant setting.
+    at: Vec<(f64, Figures)>,
+    steps: Vec<StepTimes>,
+}
+
+impl SettingsFigures {
+    /// Measures the figures of the records, and takes the measured times of `responses`. `settings` contains the setting of every record,
+    /// or `None` if the setting changes within the record.
+    pub fn measure((records, settings): (&[&Record], &[Option<f64>]), responses: &[StepResponse]) -> Self {
+        // Judge each group of steps too, because a mean over tests and stroke directions would hide a slow response.
+        let all = |of: &StepResponse| Some((of.measured?, of.uncertainty, of.tests.clone()));
+        let each = |of: &StepGroup| Some((of.measured?, of.uncertainty, vec![of.test.clone()]));
+        Self { at: figures_at(records, settings, None), steps: steps(responses, all, each) }
+    }
+
+    /// Computes the figures of a model on the same records. `forces` contains its forces at the samples of each record.
+    fn of_model(
+        (records, settings): (&[&Record], &[Option<f64>]),
+        forces: &[&[f64]],
+        responses: &[StepResponse],
+    ) -> Self {
+        // The times of the model are computed, so they have no measurement uncertainty.
+        let all = |of: &StepResponse| Some((of.model?, None, of.tests.clone()));
+        let each = |of: &StepGroup| Some((of.model?, None, vec![of.test.clone()]));
+        Self { at: figures_at(records, settings, Some(forces)), steps: steps(responses, all, each) }
+    }
+
+    /// Compares limits with these figures. If `model` is given, the limits are also compared with these figures of the model on the same
+    /// records.
+    ///
+    /// A limit on a response time applies to all steps in its direction. If the limit has a setting, it applies only to the steps that end at
+    /// this setting.
+    ///
+    /// # Errors
+    /// The errors of [`check_over_settings`].
+    pub fn judge(&self, limits: &[Limit], model: Option<&SettingsFigures>) -> Result<Certificate, SettingLimitError> {
+        let settings: Vec<Option<f64>> = self.at.iter().map(|(setting, _)| Some(*setting)).collect();
+        check_over_settings(limits, &settings)?;
+        let none = Figures::measure(&[], None);
+        let mut checked = Vec::new();
+        let mut peaks = Vec::new();
+        let mut judged: Vec<f64> = Vec::new();
+        for limit in limits {
+            if limit.quantity.is_time() {
+                checked.push(self.judge_time(limit, model));
+                continue;
+            }
+            // A limit without a setting is not tested if the setting changes in every record.
+            let setting = limit.setting.or(settings.first().copied().flatten());
+            let own = setting.and_then(|setting| self.figures(setting)).unwrap_or(&none);
+            let of_model = setting.zip(model).and_then(|(setting, model)| model.figures(setting));
+            let found = own.judge(std::slice::from_ref(limit), model.map(|_| of_model.unwrap_or(&none)));
+            checked.extend(found.limits);
+            if let Some(setting) = setting.filter(|own| !judged.iter().any(|known| is_same_setting(*known, *own))) {
+                judged.push(setting);
+                peaks.extend(found.peaks);
+            }
+        }
+        Ok(Certificate {
+            passed: checked.iter().all(|l| l.verdict == Verdict::Pass),
+            overall: Overall::of(checked.iter().map(|l| l.verdict)),
+            model_passed: model.map(|_| checked.iter().all(|l| l.model_verdict == Some(Verdict::Pass))),
+            limits: checked,
+            peaks,
+        })
+    }
+
+    /// Returns the figures at a setting, or `None` if no test is there.
+    fn figures(&self, setting: f64) -> Option<&Figures> {
+        self.at.iter().find(|(own, _)| is_same_setting(*own, setting)).map(|(_, figures)| figures)
+    }
+
+    /// Compares a limit on a response time with the slowest response to which the limit applies.
+    fn judge_time(&self, limit: &Limit, model: Option<&SettingsFigures>) -> Checked {
+        let measured = self.slowest(limit);
+        let simulated = model.map(|model| model.slowest(limit));
+        let verdict = |value: Option<&Value>| match value {
+            None => Verdict::NotTested,
+            Some(value) if limit.holds(value.value) => Verdict::Pass,
+            Some(_) => Verdict::Fail,
+        };
+        Checked {
+            limit: limit.clone(),
+            verdict: verdict(measured.as_ref()),
+            model_verdict: simulated.as_ref().map(|value| verdict(value.as_ref())),
+            measured,
+            model: simulated.flatten(),
+        }
+    }
+
+    /// Returns the longest time to which a limit on a response time applies.
+    fn slowest(&self, limit: &Limit) -> Option<Value> {
+        let is_up = matches!(limit.quantity, Quantity::ResponseTimeUp | Quantity::RiseTimeUp);
+        let is_rise = matches!(limit.quantity, Quantity::RiseTimeUp | Quantity::RiseTimeDown);
+        let is_own = |of: &&StepTimes| {
+            (of.to > of.from) == is_up && limit.setting.is_none_or(|setting| is_same_setting(of.to, setting))
+        };
+        let value = |of: &StepTimes| Value {
+            value: if is_rise { of.times.t90_s - of.times.t10_s } else { of.times.t63_s },
+            tests: of.tests.clone(),
+            uncertainty: of.uncertainty.map(|of| if is_rise { of.rise_s } else { of.t63_s }),
+            damping: None,
+            step: Some((of.from, of.to)),
+        };
+        self.steps.iter().filter(is_own).map(value).max_by(|a, b| a.value.total_cmp(&b.value))
+    }
+}
+
+/// Measures the figures of the records at each constant setting. `forces` replaces the measured forces if it is given.
+fn figures_at(records: &[&Record], settings: &[Option<f64>], forces: Option<&[&[f64]]>) -> Vec<(f64, Figures)> {
+    let mut distinct: Vec<f64> = Vec::new();
+    for setting in settings.iter().flatten() {
+        if !distinct.iter().any(|known| is_same_setting(*known, *setting)) {
+            distinct.push(*setting);
+        }
+    }
+    let of_one = |setting: f64| {
+        let is_own = |k: &usize| settings[*k].is_some_and(|own| is_same_setting(own, setting));
+        let own: Vec<usize> = (0..records.len()).filter(is_own).collect();
+        let of: Vec<&Record> = own.iter().map(|k| records[*k]).collect();
+        let forces: Option<Vec<&[f64]>> = forces.map(|all| own.iter().map(|k| all[*k]).collect());
+        (setting, Figures::measure(&of, forces.as_deref()))
+    };
+    distinct.into_iter().map(of_one).collect()
+}
+
+/// Times of a response, their uncertainty, and the names of their tests.
+type Times = Option<(ResponseTimes, Option<TimeUncertainty>, Vec<String>)>;
+
+/// Collects the times of all responses, first those over all steps, then those of each group of steps.
+fn steps(
+    responses: &[StepResponse],
+    of_all: impl Fn(&StepResponse) -> Times,
+    of_each: impl Fn(&StepGroup) -> Times,
+) -> Vec<StepTimes> {
+    let all = responses.iter().map(|of| (of, of_all(of)));
+    let of_each = &of_each;
+    let each = responses.iter().flat_map(|of| of.groups.iter().map(move |group| (of, of_each(group))));
+    let step = |(of, times): (&StepResponse, Times)| {
+        times.map(|(times, uncertainty, tests)| StepTimes { from: of.from, to: of.to, tests, times, uncertainty })
+    };
+    all.chain(each).filter_map(step).collect()
+}
+
 /// Compares limits with the records of a damper over a setting and with the forces of its model. `model` contains these forces at the
 /// samples of each record.
 ///
-/// `settings` contains the setting of every record, or `None` if the setting changes within the record. A limit on a response time applies
-/// to all steps in its direction. If the limit has a setting, it applies only to the steps that end at this setting.
+/// `settings` contains the setting of every record, or `None` if the setting changes within the record.
 ///
 /// # Errors
 /// The errors of [`check_over_settings`].
 pub fn judge_over_settings(
     limits: &[Limit],
-    (records, settings): (&[&Record], &[Option<f64>]),
+    own: (&[&Record], &[Option<f64>]),
     model: &[&[f64]],
     responses: &[StepResponse],
 ) -> Result<Certificate, SettingLimitError> {
-    check_over_settings(limits, settings)?;
-    let first = settings.iter().flatten().next().copied();
-    let at = |limit: &Limit| limit.setting.or(first);
-    let mut checked = Vec::new();
-    let mut peaks = Vec::new();
-    let mut judged: Vec<f64> = Vec::new();
-    for limit in limits {
-        if limit.quantity.is_time() {
-            checked.push(judge_time(limit, responses));
-            continue;
-        }
-        // A limit without a setting is not tested if the setting changes in every record.
-        let setting = at(limit);
-        let is_own = |k: &usize| settings[*k].zip(setting).is_some_and(|(own, wanted)| is_same_setting(own, wanted));
-        let own: Vec<usize> = (0..records.len()).filter(is_own).collect();
-        let of: Vec<&Record> = own.iter().map(|k| records[*k]).collect();
-        let forces: Vec<&[f64]> = own.iter().map(|k| model[*k]).collect();
-        let found =
-            Figures::measure(&of, None).judge(std::slice::from_ref(limit), Some(&Figures::measure(&of, Some(&forces))));
-        checked.extend(found.limits);
-        if let Some(setting) = setting.filter(|own| !judged.iter().any(|known| is_same_setting(*known, *own))) {
-            judged.push(setting);
-            peaks.extend(found.peaks);
-        }
-    }
-    Ok(Certificate {
-        passed: checked.iter().all(|l| l.verdict == Verdict::Pass),
-        overall: Overall::of(checked.iter().map(|l| l.verdict)),
-        model_passed: Some(checked.iter().all(|l| l.model_verdict == Some(Verdict::Pass))),
-        limits: checked,
-        peaks,
-    })
-}
-
-/// Compares a limit on a response time with the slowest response to which the limit applies.
-fn judge_time(limit: &Limit, responses: &[StepResponse]) -> Checked {
-    let is_up = matches!(limit.quantity, Quantity::ResponseTimeUp | Quantity::RiseTimeUp);
-    let is_rise = matches!(limit.quantity, Quantity::RiseTimeUp | Quantity::RiseTimeDown);
-    let own: Vec<&StepResponse> = responses
-        .iter()
-        .filter(|of| of.is_up() == is_up && limit.setting.is_none_or(|setting| is_same_setting(of.to, setting)))
-        .collect();
-    let time = |times: ResponseTimes| if is_rise { times.t90_s - times.t10_s } else { times.t63_s };
-    type Times<T> = fn(&T) -> Option<ResponseTimes>;
-    let uncertainty = |of: Option<TimeUncertainty>| of.map(|of| if is_rise { of.rise_s } else { of.t63_s });
-    let slowest = |whole: Times<StepResponse>, part: Times<StepGroup>| -> Option<Value> {
-        let of_all = own.iter().filter_map(|of| {
-            Some(Value {
-                value: time(whole(of)?),
-                tests: of.tests.clone(),
-                uncertainty: uncertainty(of.uncertainty),
-                damping: None,
-                step: Some((of.from, of.to)),
-            })
-        });
-        let of_each = own.iter().flat_map(|of| of.groups.iter().map(move |group| (of, group)));
-        let of_each = of_each.filter_map(|(of, group)| {
-            Some(Value {
-                value: time(part(group)?),
-                tests: vec![group.test.clone()],
-                uncertainty: uncertainty(group.uncertainty),
-                damping: None,
-                step: Some((of.from, of.to)),
-            })
-        });
-        // Judge each group of steps too, because a mean over tests and stroke directions would hide a slow response.
-        of_all.chain(of_each).max_by(|a, b| a.value.total_cmp(&b.value))
-    };
-    let measured = slowest(|of| of.measured, |of| of.measured);
-    // The times of the model are computed, so they have no measurement uncertainty.
-    let model = slowest(|of| of.model, |of| of.model).map(|model| Value { uncertainty: None, ..model });
-    let verdict = |value: Option<&Value>| match value {
-        None => Verdict::NotTested,
-        Some(value) if limit.holds(value.value) => Verdict::Pass,
-        Some(_) => Verdict::Fail,
-    };
-    Checked {
-        limit: limit.clone(),
-        verdict: verdict(measured.as_ref()),
-        model_verdict: Some(verdict(model.as_ref())),
-        measured,
-        model,
-    }
+    let simulated = SettingsFigures::of_model(own, model, responses);
+    SettingsFigures::measure(own, responses).judge(limits, Some(&simulated))
 }
 
 #[cfg(test)]
@@ -306,6 +382,24 @@ mod tests {
         assert_eq!(found.overall, Overall::Incomplete);
         assert_eq!(found.limits[1].measured.as_ref().unwrap().tests, ["hard"]);
         assert_eq!(found.peaks.len(), 4);
+    }
+
+    #[test]
+    fn stored_figures_judge_as_the_records_do() {
+        let all = [test("soft", 1000.0), test("hard", 4000.0)];
+        let records: Vec<&Record> = all.iter().collect();
+        let text = "quantity,velocity_m_s,setting,low,high,unit\nforce,0.5,1.6,1900,2100,N\nforce,0.5,0.8,1,2,N\nresponse_time_up,,,,11,ms\n";
+        let limits = parse("l.csv".as_ref(), text).unwrap();
+        let figures = SettingsFigures::measure((&records, &[Some(0.0), Some(1.6)]), &responses());
+        let stored: SettingsFigures = serde_json::from_str(&serde_json::to_string(&figures).unwrap()).unwrap();
+        let found = stored.judge(&limits, None).unwrap();
+        let of_records = judged(text).unwrap();
+        assert_eq!(
+            found.limits.iter().map(|l| (l.verdict, &l.measured)).collect::<Vec<_>>(),
+            of_records.limits.iter().map(|l| (l.verdict, &l.measured)).collect::<Vec<_>>()
+        );
+        assert_eq!(found.overall, Overall::Fail);
+        assert!(found.model_passed.is_none() && found.limits.iter().all(|l| l.model_verdict.is_none()));
     }
 
     #[test]

@@ -148,14 +148,14 @@ fn zero(velocity: &[f64]) -> usize {
     velocity.partition_point(|v| *v < 0.0)
 }
 
-struct Problem<'a> {
+struct CurveProblem<'a> {
     bins: &'a [Bin],
     velocity: &'a [f64],
     /// Force, N, by which the unknowns of the least squares are multiplied.
     unit: f64,
 }
 
-impl Problem<'_> {
+impl CurveProblem<'_> {
     /// Returns the forces at the points and the gas force, N. Each unknown is the rise of a point above its neighbor on the side of zero.
     /// The last unknown is the gas force.
     fn curve(&self, x: &[f64]) -> (Vec<f64>, f64) {
@@ -171,7 +171,7 @@ impl Problem<'_> {
     }
 }
 
-impl Residuals for Problem<'_> {
+impl Residuals for CurveProblem<'_> {
     type At = Vec<f64>;
 
     fn prepare(&self, x: &[f64]) -> Option<Vec<f64>> {
@@ -196,7 +196,7 @@ pub fn fit(tests: &[Observation]) -> FvCurve {
         velocity = vec![-1.0, 0.0];
     }
     let unit = bins.iter().map(|b| b.force.abs()).fold(1e-3, f64::max);
-    let problem = Problem { bins: &bins, velocity: &velocity, unit };
+    let problem = CurveProblem { bins: &bins, velocity: &velocity, unit };
     let n = velocity.len();
     // Start from a straight line, because the least-squares problem of a monotone curve has a single minimum.
     let reach = velocity[n - 1] - velocity[0];

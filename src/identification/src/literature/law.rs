@@ -107,13 +107,13 @@ pub fn options() -> Options {
 type Forces = Box<dyn Fn(&Motion) -> Vec<f64> + Send + Sync>;
 
 /// Least-squares problem of one law. All laws share this code, which is compiled once.
-struct Problem<'a> {
+struct LawProblem<'a> {
     tests: &'a [Observation],
     numbers: &'a [Number],
     make: &'a (dyn Fn(&[f64]) -> Forces + Sync),
 }
 
-impl Problem<'_> {
+impl LawProblem<'_> {
     fn outer(&self, inner: &[f64]) -> Vec<f64> {
         self.numbers.iter().zip(inner).map(|(n, x)| n.outer(*x)).collect()
     }
@@ -123,7 +123,7 @@ impl Problem<'_> {
     }
 }
 
-impl Residuals for Problem<'_> {
+impl Residuals for LawProblem<'_> {
     type At = Forces;
 
     fn prepare(&self, x: &[f64]) -> Option<Forces> {
@@ -142,7 +142,7 @@ impl Residuals for Problem<'_> {
 }
 
 /// Returns a start, in scaled coordinates, with the least-squares values of its linear parameters.
-fn with_linear(problem: &Problem<'_>, start: &[f64]) -> Vec<f64> {
+fn with_linear(problem: &LawProblem<'_>, start: &[f64]) -> Vec<f64> {
     let linear: Vec<usize> =
         (0..start.len()).filter(|i| matches!(problem.numbers[*i], Number::Linear { .. })).collect();
     let mut inner: Vec<f64> = problem.numbers.iter().zip(start).map(|(n, v)| n.inner(*v)).collect();
@@ -198,12 +198,12 @@ pub fn fit_from<L: Law>(tests: &[Observation], further: &[Vec<f64>]) -> Option<L
         let law = L::from_numbers(numbers, &scales);
         Box::new(move |motion| law.forces(motion))
     };
-    let problem = Problem { tests, numbers: &numbers, make: &make };
+    let problem = LawProblem { tests, numbers: &numbers, make: &make };
     Some(L::from_numbers(&best(&problem, &L::starts(&scales), further)?, &scales))
 }
 
 /// Returns the parameters with the lowest cost that the least squares find from several starts. Returns `None` if no cost is finite.
-fn best(problem: &Problem<'_>, starts: &[Vec<f64>], further: &[Vec<f64>]) -> Option<Vec<f64>> {
+fn best(problem: &LawProblem<'_>, starts: &[Vec<f64>], further: &[Vec<f64>]) -> Option<Vec<f64>> {
     let (low, high) = problem.numbers.iter().map(|n| n.bounds()).unzip();
     let bounds = Bounds { low, high };
     let mut starts: Vec<(f64, Vec<f64>)> = starts

@@ -57,7 +57,7 @@ fn acceleration(motion: &Motion) -> Vec<f64> {
         .collect()
 }
 
-struct Problem<'a> {
+struct NetworkProblem<'a> {
     tests: &'a [Observation],
     /// Scaled inputs, and measured forces in N, at the training samples of every test.
     samples: Vec<Vec<([f64; 3], f64)>>,
@@ -84,7 +84,7 @@ fn output(w: &[f64], u: &[f64; 3], mut by: Option<&mut [f64; SIZE]>) -> f64 {
     sum
 }
 
-impl Residuals for Problem<'_> {
+impl Residuals for NetworkProblem<'_> {
     type At = Vec<f64>;
 
     fn prepare(&self, x: &[f64]) -> Option<Vec<f64>> {
@@ -147,7 +147,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
         inputs.into_iter().zip(t.force.iter().copied()).skip(t.from).step_by(stride).collect()
     };
     let samples = tests.iter().zip(&accelerations).map(samples).collect();
-    let problem = Problem { tests, samples, output: scales.force };
+    let problem = NetworkProblem { tests, samples, output: scales.force };
     let starts: Vec<Vec<f64>> = (1..=STARTS)
         .map(|seed| {
             let mut next = spread(seed);

@@ -1,10 +1,10 @@
 //! Response of the damper force to a step of the setting: times of the measured force and of the model's force.
 
 use crate::intervals::Z;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Times of the response to a step, s, from the instant of the step.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct ResponseTimes {
     /// Time until the force has completed 10 % of its change.
     pub t10_s: f64,
@@ -75,7 +75,7 @@ pub fn measured_times(
 }
 
 /// Uncertainties of measured response times, s: half the width of their 95 % intervals.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct TimeUncertainty {
     /// Uncertainty of the time until 63 %.
     pub t63_s: f64,

@@ -65,6 +65,7 @@ class Bench(TypedDict):
     side_force: bool
     temperature: bool
     start_temperature_c: float | None
+    noise_seed: int | None
     order: int | None
 
 

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from . import _native
 from ._result import Result, Row
 
 
@@ -30,8 +31,12 @@ class LimitValue(Result):
 _TIMES = ("response_time_up", "response_time_down", "rise_time_up", "rise_time_down")
 
 
-def missed(said: Mapping[str, Any]) -> str | None:
-    """Describes why a limit is not passed, from the dictionary of a :class:`Checked`: it is violated or was not tested. None for a pass."""
+def missed(said: Mapping[str, Any], unit_of_setting: str = "", settings: Sequence[float] | None = None) -> str | None:
+    """Describes why a limit is not passed, from the dictionary of a :class:`Checked`: it is violated or was not tested. None for a pass.
+
+    :param unit_of_setting: unit of the setting of a limit.
+    :param settings: settings at which the damper was measured, if they are known.
+    """
     if said["verdict"] == "pass":
         return None
     name, quantity, velocity = said["name"], said["quantity"], said["velocity_m_s"]
@@ -39,8 +44,14 @@ def missed(said: Mapping[str, Any]) -> str | None:
     # The name of a limit without a name of its own is its quantity, which the text must not repeat.
     if name.lower().replace(" ", "_").replace("-", "_") != quantity:
         words = f"{name}, {words}"
+    setting = said.get("setting")
+    if setting is not None:
+        words = f"{words} at setting {setting:g} {unit_of_setting}".rstrip()
     if said["measured"] is None and quantity in _TIMES:
         return f"{words}: not tested, there is no such step of the setting"
+    if said["measured"] is None and setting is not None and settings is not None:
+        if not any(_native.is_same_setting(setting, own) for own in settings):
+            return f"{words}: not tested, the damper was not measured at this setting"
     if said["measured"] is None:
         slow = quantity in ("gas_force", "friction")
         return f"{words}: not tested, there is no {'slow test (below 6 mm/s)' if slow else 'test at this speed'}"

@@ -29,6 +29,10 @@ if TYPE_CHECKING:
     from typing_extensions import Unpack
 
 
+_NO_SETTING = "none"
+"""Setting that stands for none: tests at several settings are fitted as one damper."""
+
+
 def _dimensions(path: str | None) -> list[str]:
     """Returns the option of the command for a file of dimensions, or an empty list without a file."""
     return [] if path is None else ["--dimensions", path]
@@ -74,7 +78,7 @@ def fit(
 
     :param campaign: a :class:`Campaign`, part of one (``campaign[2:]``), or some of its records: ``[r for r in campaign if r.peak_velocity < 0.6]``.
     :param setting: name of the setting of the tests: ``"current"``, ``"clicks"``, or the name in ``campaign.toml``. With it, the result is a
-        :class:`FittedFamily`, one damper that depends on this setting.
+        :class:`FittedFamily`, one damper that depends on this setting. ``"none"`` fits tests at several settings as one damper.
     :param family: ``"thesis"``; or, for comparison, ``"fv"`` (plain FV curve), ``"piecewise"`` or ``"lag"``. :func:`fit_literature` identifies
         the other models of the literature, which no host can run.
     :param elements: elements that the fit may use; all elements of the model if not given.
@@ -86,7 +90,8 @@ def fit(
     """
     wanted = None if elements is None else words(elements)
     drawing = None if dimensions is None else os.fspath(dimensions)
-    if setting is not None:
+    lumped = setting == _NO_SETTING
+    if setting is not None and not lumped:
         if not isinstance(setting, str):
             raise TypeError(f'setting is the name of what the tests were set to, such as "current", not a {type(setting).__name__}')
         if family != "thesis":
@@ -95,8 +100,10 @@ def fit(
             text, said = _native.fit_family(native_of(campaign, "campaign"), setting, wanted, words(hold_out), told, drawing)
         return FittedFamily(text, "family.toml", FamilyFitResult.from_dict(loads(said)))
     with needs(dimensions), watched(progress) as told:
-        text, said, found = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told, drawing)
+        text, said, found = _native.fit(native_of(campaign, "campaign"), family, wanted, words(hold_out), told, drawing, lumped)
     chosen = [] if family == "thesis" else ["--model", family]
+    if lumped:
+        chosen += ["--setting", _NO_SETTING]
     made_from = origin(campaign, chosen, option("elements", wanted or ()), option("hold-out", words(hold_out)), _dimensions(drawing))
     return FittedModel(text, "damper.toml", replace(FitResult.from_dict(loads(said)), _made_from=(found, made_from)))
 

@@ -34,6 +34,7 @@ def measure_virtual(
     severity: bool = False,
     start_temperature_c: float | None = None,
     order: int | None = None,
+    noise_seed: int | None = None,
     progress: Progress | None = None,
 ) -> Campaign:
     """Simulates a campaign on the virtual rig, writes its records into a folder, and reads them, like ``dashpot rig``.
@@ -50,7 +51,8 @@ def measure_virtual(
         :meth:`Diagnosis.write_next_tests` writes.
     :param plan: name of a plan that replaces these tests: ``"diagnosis"``, ``"thesis"``, or a deficient plan: ``"one-amplitude"``,
         ``"one-frequency"``, ``"no-slow-tests"``, ``"centred"``, ``"no-side-force"``.
-    :param seed: seed of the damper and of the noise; 0 is the default damper.
+    :param seed: seed of the damper and of the noise; 0 is the default damper. Two campaigns of one seed have the same noise.
+    :param noise_seed: seed of the noise alone, for a second measurement of the same damper; ``seed`` if not given.
     :param noise_percent: noise of the force, percent of each test's root-mean-square force; 0 makes every sensor ideal.
     :param noise_colour: correlation of adjacent noise samples; 0 is white noise.
     :param hum_n: amplitude of mains hum in the force, N.
@@ -93,6 +95,7 @@ def measure_virtual(
         "side_force": side_force,
         "temperature": temperature,
         "start_temperature_c": start_temperature_c,
+        "noise_seed": noise_seed,
         "order": order,
     }
     with watched(progress) as told, needs(matrix):

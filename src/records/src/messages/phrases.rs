@@ -104,7 +104,7 @@ dashpot_messages::phrases! {
     TWINS: "{test} holds the same samples as {twin} and counts twice";
     // Delay of the force.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
-    LATE_NOT_MOVED: "{late}{energy}. Hysteresis counts as delay here: dashpot fit tells them apart and takes the delay out. Nothing was moved; to correct it without a fit give {option}";
+    LATE_NOT_MOVED: "{late}{energy}. Hysteresis looks like a delay here, so nothing was moved. dashpot fit tells them apart and reports the delay that it finds; what remains is hysteresis of the damper. Give {option} only if the rig is known to delay the force by that much";
     WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all|# test|# tests}";
     // The positive direction of the files.
     STANDSTILL: "force at standstill is {force} N ± {error} N as counted in the files; gas pushes the rod out, so that {verdict}";
@@ -127,6 +127,7 @@ dashpot_messages::phrases! {
     TURNED_ROUND: "turned round in both motion and force, {tests} would go with the other tests, as read not: at like velocities, the force between rebound and compression is {own} N in {test} and {usual} N in the others. Check whether these files count in another direction, and correct the export or leave them out with --exclude";
     OTHER_SETTINGS: "{first} has {times} times the force of {second} in the same motion: these are several dampers, or several settings of one (clicks, current), and one model cannot hold them. Fit them apart (folders, or --exclude). {belong}";
     SEVERAL_SETTINGS: "the tests were measured at {count} settings of {name}, and one model holds one of them: {settings}. Fit them as one damper over {name} with dashpot fit --setting {option}, or each by itself, the others left out with --exclude; dashpot diagnose --group compares them";
+    NOT_ONE_DAMPER: "{settings}. To fit all of them as one damper without a setting, give --setting {none}";
     SETTING_AT: "{value}: {names}";
     SETTING_VARIES: "the {setting} of the damper's valve changes between {low} and {high} all through the test";
     SETTING_CHANGES: "{change}. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
@@ -178,7 +179,7 @@ dashpot_messages::phrases! {
     UNDERSTOOD: "{header} Understood are: {understood}. Other headings can be given as --column force=\"Load Cell 1\"";
     SWAPPED: "{at}: the headings '{first}' and '{second}' look swapped: {evidence}. Correct the header, or give --column {of_first}=\"{second}\" --column {of_second}=\"{first}\" (and --unit where the unit is swapped too); if they are right, give --unit {of_first}=... to insist";
     WRONG_UNIT: "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist";
-    FILES_UNIT: "{count} of {all} tests {count|does|do} not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} mm/s, the others ±{usual} N at {there} mm/s; that speaks for {likely} written as {written}.{either}{labels} Correct the heading of the files that are wrong, or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
+    FILES_UNIT: "{count} of {all} tests {count|does|do} not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} mm/s, the others ±{usual} N at {there} mm/s; that speaks for {likely} written as {written}.{either}{labels} Correct the heading of the files that are wrong. Or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
     OR_THE_OTHERS: " If these are right, it is the others that are wrong, the other way round: {others}.";
     OR_LABELS: " Where the tests have several settings, wrong labels of some of them can look like that: check these first.";
     LABELS_DEVIATE: "the forces of {count} of {all} tests contradict the other tests at their {name} and agree with those at another one: {groups}. {advice}";
@@ -228,7 +229,7 @@ dashpot_messages::phrases! {
     FEW_TAKE: "{fewer} of {count} tests {fewer|dissipates|dissipate} while the other {more|one does|# do} not: {names}. {apart}{also}";
     APART: "These files count force or motion in another direction than the rest. Load them apart, with --flip force or --flip motion for those that feed energy, or correct the export";
     ALL_FEED: "in {count|the only test|all # tests} with a clear loop force acts along the motion (correlation {correlation}), so force and motion are counted in opposite directions; {culprit}{also}";
-    EXCHANGED: "displacement and force look exchanged in {count} of {all|# test|# tests}: {names}. In {test} the column read as force moves like a sine, as a rig does (its overtones are {of_force} % of it), and the one read as displacement does not ({of_displacement} %)";
+    EXCHANGED: "displacement and force look exchanged in {count} of {all|# test|# tests}: {names}. In {test} the column read as force moves like a sine, as a rig does: its overtones are {of_force} % of it. Those of the column read as displacement are {of_displacement} %";
     EXCHANGED_FEED: "{exchanged}; read so, the damper would feed energy into the rig. Give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and --unit where the units go with them. Where only some files have it, put these into a folder of their own, say so there with dashpot import-profile, and name both folders";
     EXCHANGED_DOUBT: "{exchanged}. If so, nothing of what follows is right: give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and leave --flip out";
     OR_LATE: ". Or {late}; then give {option}";

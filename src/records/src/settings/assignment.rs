@@ -193,8 +193,18 @@ pub fn records_without_setting<'r>(records: impl Iterator<Item = &'r Record> + C
     records.filter(|record| is_without(record) && !is_named(record)).collect()
 }
 
+/// Name that stands for no setting: tests at several settings are then fitted as one damper.
+pub const WITHOUT_SETTING: &str = "none";
+
 /// Warns if the tests of a campaign have several settings.
 fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
+    let all: Vec<&Record> = records.iter().collect();
+    notes.extend(several_settings(&all).map(|text| Note { kind: "settings", text }));
+}
+
+/// Returns a sentence about the settings of the tests and the options for them. Returns `None` unless the tests have
+/// several settings.
+pub fn several_settings(records: &[&Record]) -> Option<Sentence> {
     let mut settings: Vec<(Setting, Vec<usize>)> = Vec::new();
     for (k, record) in records.iter().enumerate() {
         let Some(setting) = &record.setting else { continue };
@@ -204,7 +214,7 @@ fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
         }
     }
     settings.sort_by(|(a, _), (b, _)| a.name.cmp(&b.name).then(a.value.total_cmp(&b.value)));
-    let Some((first, _)) = settings.first().filter(|_| settings.len() > 1) else { return };
+    let (first, _) = settings.first().filter(|_| settings.len() > 1)?;
     let names: Vec<&str> = records.iter().map(|record| record.name.as_str()).collect();
     let listed = settings.iter().map(|(setting, tests)| {
         Sentence::from(phrases::SETTING_AT)
@@ -213,8 +223,14 @@ fn note_settings(records: &[Record], notes: &mut Vec<Note>) {
     });
     let text = Sentence::from(phrases::SEVERAL_SETTINGS).with("count", settings.len()).with("option", &first.name);
     let text = with_setting_name(text, "name", &first.name);
-    let text = text.with_list("settings", listed.collect(), phrases::SEMICOLON);
-    notes.push(Note { kind: "settings", text });
+    Some(text.with_list("settings", listed.collect(), phrases::SEMICOLON))
+}
+
+/// Returns the reason not to fit one damper without a setting to tests at several settings. Returns `None` unless the
+/// tests have several settings.
+pub fn not_one_damper(records: &[&Record]) -> Option<Sentence> {
+    let settings = several_settings(records)?;
+    Some(Sentence::from(phrases::NOT_ONE_DAMPER).with_sentence("settings", settings).with("none", WITHOUT_SETTING))
 }
 
 #[cfg(test)]

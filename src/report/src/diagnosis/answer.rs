@@ -2,7 +2,7 @@
 
 use crate::blocks::{Block, Column, Figure, Section, Table};
 use crate::cells::Cell;
-use crate::numbers::{digits, fraction, percent};
+use crate::numbers::{closed_gap, digits, fraction, percent};
 use crate::plot::before_after;
 use crate::plot::svg::{Anchor, Svg, TextStyle};
 use crate::quality::grade;
@@ -49,7 +49,11 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     let error = words.fill(text, &[("tests", &tests), ("before", &before), ("after", &after)]);
     Some(match found.verdict {
         Verdict::Named => match found.gap_closed {
-            Some(gap) => words.fill(words.gap_is_closed, &[("error", &error), ("gap", &fraction(gap))]),
+            Some(gap) => {
+                let (gap, is_closed) = closed_gap(gap);
+                let text = if is_closed { words.gap_is_closed } else { words.gap_grows };
+                words.fill(text, &[("error", &error), ("gap", &gap)])
+            }
             None => words.fill(words.sentence_end, &[("sentence", &error)]),
         },
         Verdict::NothingMissing => words.nothing_stays.to_owned(),
@@ -68,7 +72,9 @@ fn rating(found: &Diagnosis, words: &Words) -> Option<String> {
         _ => (words.rating_fitted, after.rmse_n, after.noise_n),
     };
     let ratio = error / noise;
-    let grade = ratio.is_finite().then(|| grade(ratio, after.error_percent, true, words))?;
+    // A mean hides a test that the model misses. The noise then does not explain the error.
+    let by_noise = if found.tests.iter().any(TestOutcome::is_missed) { f64::INFINITY } else { ratio };
+    let grade = ratio.is_finite().then(|| grade(by_noise, after.error_percent, true, words))?;
     let values = [("grade", grade), ("error", &digits(error, 3)), ("ratio", &digits(ratio, 2))];
     Some(words.fill(text, &values))
 }

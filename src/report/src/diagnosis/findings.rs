@@ -68,8 +68,11 @@ fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
         "" => String::new(),
         form => words.fill(words.finding_form, &[("form", words.word(form))]),
     };
-    let gap = |gap| words.fill(words.finding_gap, &[("gap", &fraction(gap))]);
-    let gap = finding.gap_closed.map_or_else(String::new, gap);
+    // The gap on left-out tests says more than the disagreement on the fitted tests.
+    let gap = match finding.gap_closed {
+        Some(gap) => words.fill(words.finding_gap, &[("gap", &fraction(gap))]),
+        None => words.fill(words.finding_disagreement, &[("gap", &fraction(finding.fraction))]),
+    };
     let added = if finding.of_the_rig { words.finding_of_rig } else { words.finding_added };
     let (number, sure) = (place.to_string(), fraction(finding.confidence));
     let heading = [("place", number.as_str()), ("effect", finding.effect), ("form", &form), ("sure", &sure)];
@@ -78,7 +81,6 @@ fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
         ("path", words.word(finding.path)),
         ("family", words.word(finding.family)),
         ("family_sure", &fraction(finding.family_confidence)),
-        ("share", &fraction(finding.fraction)),
         ("tests", &fraction(finding.evidence.tests_better)),
     ];
     let mut blocks = vec![

@@ -1,7 +1,7 @@
 //! Force loops of the fitted and left-out tests on which model and measurement differ most.
 
 use crate::blocks::{Block, Figure, Section};
-use crate::numbers::{digits, fraction};
+use crate::numbers::{closed_gap, digits};
 use crate::plot::before_after;
 use crate::words::Words;
 use dashpot_diagnosis::{Diagnosis, TestOutcome};
@@ -64,7 +64,8 @@ fn worst(tests: &[TestOutcome], held_out: bool) -> Vec<usize> {
 fn in_words(test: &TestOutcome, words: &Words) -> String {
     let gap = test.before_rmse_n - test.noise_n;
     let closed = if gap > 0.0 {
-        words.fill(words.loop_closed, &[("gap", &fraction((test.before_rmse_n - test.after_rmse_n) / gap))])
+        let (gap, is_closed) = closed_gap((test.before_rmse_n - test.after_rmse_n) / gap);
+        words.fill(if is_closed { words.loop_closed } else { words.loop_grown }, &[("gap", &gap)])
     } else {
         String::new()
     };

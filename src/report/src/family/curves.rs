@@ -3,11 +3,12 @@
 use super::{axis_title, named, named_summary};
 use crate::blocks::Figure;
 use crate::plot::axes::{Axis, Marks, Plane, SIZE, Series};
+use crate::plot::in_space::{SpaceSeries, surface};
 use crate::plot::palette::Role;
 use crate::words::Words;
 use dashpot_core::family::Definition;
 use dashpot_core::{Model, element};
-use dashpot_identification::validation::{PeakForce, Validation};
+use dashpot_identification::validation::{PeakForce, SettingSummary, Validation};
 use dashpot_simulation::comparison::at_constant_velocity;
 use dashpot_simulation::prediction::at_velocities;
 
@@ -72,6 +73,63 @@ pub fn by_setting(damper: &Definition, validation: &Validation, words: &Words) -
 
 fn measured(peak: &PeakForce) -> [f64; 2] {
     [1e3 * peak.velocity_m_s, peak.force_n.measured]
+}
+
+/// Number of lines of constant velocity, and of settings between two grid values, in the figure of the surface.
+const MESH: [usize; 2] = [13, 3];
+
+/// Draws the force over velocity and setting as a surface. The settings of the grid and their measured peak forces have the color of their
+/// setting. Returns `None` without a force.
+pub fn over_both(damper: &Definition, validation: &Validation, words: &Words) -> Option<Figure> {
+    let line = |setting: f64| -> Vec<[f64; 3]> {
+        let Ok(model) = Model::new(&damper.params_at(setting)) else { return Vec::new() };
+        at_constant_velocity(&model, validation).into_iter().map(|[v, f]| [1e3 * v, setting, f]).collect()
+    };
+    let dots = |setting: f64| -> Vec<[f64; 3]> {
+        let is_own = |of: &&SettingSummary| dashpot_records::is_same_setting(setting, of.setting);
+        let places = validation.settings.iter().filter(is_own).flat_map(|of| &of.places);
+        let peaks = places.filter_map(|place| validation.tests.get(*place)).flat_map(|test| &test.peaks);
+        peaks.map(measured).map(|[v, force]| [v, setting, force]).collect()
+    };
+    draw_surface(damper, &line, &dots, words)
+}
+
+/// Draws a surface from its lines and dots at a setting: velocity, mm/s, setting, and force, N.
+fn draw_surface(
+    damper: &Definition,
+    line: &dyn Fn(f64) -> Vec<[f64; 3]>,
+    dots: &dyn Fn(f64) -> Vec<[f64; 3]>,
+    words: &Words,
+) -> Option<Figure> {
+    let grid = damper.axis.grid();
+    let between = |pair: &[f64]| {
+        let [from, to] = [pair[0], pair[1]];
+        (1..=MESH[1]).map(move |k| from + (to - from) * k as f64 / (MESH[1] + 1) as f64).collect::<Vec<f64>>()
+    };
+    let mut settings: Vec<f64> = grid.windows(2).flat_map(between).chain(grid.iter().copied()).collect();
+    settings.sort_by(f64::total_cmp);
+    let lines: Vec<Vec<[f64; 3]>> = settings.iter().map(|setting| line(*setting)).filter(|of| of.len() > 1).collect();
+    let count = lines.iter().map(Vec::len).min()?;
+    // A line of constant velocity crosses the lines of all settings at the same of their points.
+    let across = |k: usize| lines.iter().map(|of| of[k * (count - 1) / (MESH[0] - 1)]).collect();
+    let mesh = lines.iter().cloned().chain((0..MESH[0]).map(across)).collect();
+    let mut series = vec![SpaceSeries { role: Role::Shadow, name: String::new(), lines: mesh, dots: Vec::new() }];
+    for (k, setting) in grid.iter().enumerate() {
+        series.push(SpaceSeries {
+            role: Role::Group(k as u8),
+            name: named(damper, *setting, words),
+            lines: vec![line(*setting)],
+            dots: dots(*setting),
+        });
+    }
+    let all = || series.iter().flat_map(|of| of.lines.iter().flatten().chain(&of.dots));
+    let axes = [
+        Axis::around(words.axis_velocity, all().map(|at| at[0])),
+        Axis::around(axis_title(damper, words), grid.iter().copied()),
+        Axis::around(words.axis_force, all().map(|at| at[2])),
+    ];
+    let svg = surface(words.plot_surface, &axes, &series, words);
+    Some(Figure::new("force-surface", svg).saying(words.surface_caption))
 }
 
 /// Draws the force over the setting, and the force ratio of the hardest to the softest setting over velocity.
@@ -184,6 +242,21 @@ mod tests {
         assert!(figure.caption.contains('2') && figure.svg.contains("data-plane"), "{}", figure.caption);
         let model = without_gas(&damper(), 2.0).unwrap();
         assert!((at_velocities(&model, &[0.5])[0][1] - 1500.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn the_surface_has_a_line_for_every_setting_and_velocity_of_its_mesh() {
+        let line = |setting: f64| -> Vec<[f64; 3]> {
+            let model = Model::new(&damper().params_at(setting)).unwrap();
+            let velocities: Vec<f64> = (-20..=20).map(|k| 0.05 * f64::from(k)).collect();
+            at_velocities(&model, &velocities).iter().map(|[v, force]| [1e3 * v, setting, *force]).collect()
+        };
+        let figure =
+            draw_surface(&damper(), &line, &|setting| vec![[500.0, setting, 600.0]], &crate::words::EN).unwrap();
+        // Three grid values with three settings in each of two intervals, thirteen velocities, and the three colored lines.
+        let drawn = |class: &str| figure.svg.matches(&format!("class=\"l {class}\"")).count();
+        assert_eq!(drawn("shadow"), 9 + 13, "{}", figure.svg);
+        assert!(!figure.svg.contains("NaN"));
     }
 
     #[test]

@@ -3,7 +3,7 @@
 //!
 //! | module | contents |
 //! |---|---|
-//! | [`curves`] | FV curves by setting, force over the setting, ratio of two settings |
+//! | [`curves`] | FV curves by setting, force over velocity and setting, ratio of two settings |
 //! | [`numbers`] | parameters over the setting with their intervals |
 //! | [`errors`] | errors at each setting |
 //! | [`responses`] | responses to steps of the setting, the actuator, hysteresis over the setting |
@@ -15,7 +15,7 @@ mod loops;
 mod numbers;
 mod responses;
 
-use crate::blocks::{Block, Section};
+use crate::blocks::{Block, Figure, Section};
 use crate::words::Words;
 use dashpot_core::family::Definition;
 use dashpot_identification::family::FamilyFit;
@@ -42,7 +42,8 @@ impl FamilyReport<'_> {
         first.extend(curves::by_setting(&damper, validation, words).map(Block::Wide));
         first.push(Block::Paragraph(words.family_about.to_owned()));
         first.extend(self.fit.map(|fit| Block::Paragraph(errors::between(fit, words))));
-        let mut second = curves::over_setting(&damper, validation, words);
+        let mut second: Vec<Figure> = curves::over_both(&damper, validation, words).into_iter().collect();
+        second.extend(curves::over_setting(&damper, validation, words));
         second.extend(numbers::figures(self.model, words));
         if !second.is_empty() {
             first.push(Block::Figures(second));

@@ -1,4 +1,5 @@
-//! Three-dimensional cross-plots of one test: the force over velocity and displacement, and the error of the computed force.
+//! Three-dimensional plots: the force and its error over velocity and displacement of one test, and the force of an adjustable damper over
+//! velocity and setting.
 //!
 //! The projection is parallel (axonometric), so that equal lengths along an axis stay equal. The projections of the
 //! measured loop on the back walls are the force–velocity and force–displacement plots.
@@ -36,6 +37,39 @@ pub fn error(compared: &Compared<'_>, words: &Words) -> String {
     let series =
         [(Role::FvOnly, words.fv_curve, minus(&compared.fv_only)), (Role::Model, words.model, minus(&compared.model))];
     draw([words.plot_error_space, words.axis_error], compared, &series, words)
+}
+
+/// Lines and dots of one color in a three-dimensional figure. The coordinates are in the units of the axes.
+#[derive(Debug, Clone)]
+pub struct SpaceSeries {
+    /// Color.
+    pub role: Role,
+    /// Name in the legend; empty for none.
+    pub name: String,
+    /// Lines through points.
+    pub lines: Vec<Vec<[f64; 3]>>,
+    /// Separate points.
+    pub dots: Vec<[f64; 3]>,
+}
+
+/// Draws lines and dots over the first two axes, with the third axis pointing up. Later series are drawn over earlier ones.
+pub fn surface(title: &str, axes: &[Axis; 3], series: &[SpaceSeries], words: &Words) -> String {
+    let mut svg = Svg::new(SIZE[0], SIZE[1], title);
+    let named = series.iter().filter(|of| !of.name.is_empty());
+    let legend: Vec<_> = named.map(|of| (of.role, of.name.as_str(), Mark::Line)).collect();
+    heading(&mut svg, title, 20.0, &legend);
+    draw_box(&mut svg, axes, words);
+    let place = |at: &[f64; 3]| project([0, 1, 2].map(|axis| axes[axis].place(at[axis])));
+    for of in series {
+        for line in &of.lines {
+            let line: Vec<Point> = line.iter().map(place).collect();
+            svg.path(of.role, &line, LINE_LIMIT / 4);
+        }
+        for at in &of.dots {
+            svg.dot(of.role, place(at), 2.2);
+        }
+    }
+    svg.finish()
 }
 
 /// Projects a point of the box into the figure. Each coordinate of the point is from 0 to 1. Velocity points right and toward the reader,

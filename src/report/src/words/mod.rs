@@ -12,6 +12,7 @@ mod names;
 mod sentences;
 mod texts;
 
+pub use sentences::VALUE;
 pub use texts::Words;
 
 /// Texts of the reports in English.

@@ -2,7 +2,7 @@
 //! ids of the messages.
 
 use super::Words;
-use dashpot_messages::{Kept, Locale, Restorer, Sentence, word_id};
+use dashpot_messages::{Kept, Locale, Restorer, Sentence, is_number, word_id};
 use std::sync::LazyLock;
 
 /// Restorer of the sentences that a model file contains in English, so that they can be translated.
@@ -25,7 +25,35 @@ impl Locale for Words {
     }
 }
 
+/// Character on either side of a value in a sentence of [`Words::say_with_marks`].
+pub const VALUE: char = '\u{2}';
+
+/// A language whose sentences have a mark on either side of every number and of every unit.
+struct Marked<'a>(&'a Words);
+
+impl Locale for Marked<'_> {
+    fn message(&self, id: &str, arguments: &[(&str, String)]) -> Option<String> {
+        Locale::message(self.0, id, arguments)
+    }
+
+    fn word(&self, english: &str) -> Option<&str> {
+        Locale::word(self.0, english)
+    }
+
+    fn value(&self, place: &str, value: &str) -> String {
+        let text = Locale::value(self.0, place, value);
+        let is_quantity = is_number(place, value) || ["unit", "speed_unit"].contains(&place);
+        if is_quantity { format!("{VALUE}{text}{VALUE}") } else { text }
+    }
+}
+
 impl Words {
+    /// Formats a sentence in this language, with [`VALUE`] on either side of its numbers and units. A program that shows other units finds
+    /// the numbers to restate there, and leaves names and fixed words alone.
+    pub fn say_with_marks(&self, sentence: &Sentence) -> String {
+        self.with_names(&sentence.to_text(&Marked(self)))
+    }
+
     /// Formats a sentence in this language.
     pub fn say(&self, sentence: &Sentence) -> String {
         self.with_names(&sentence.to_text(self))

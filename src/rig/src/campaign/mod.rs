@@ -40,6 +40,8 @@ pub struct Options {
     /// Initial temperature of the damper, °C; `None` means the laboratory temperature of 22 °C. Only campaigns of a
     /// case with injected effects use this value.
     pub start_temperature_c: Option<f64>,
+    /// Seed of the sensors' noise; `None` uses `seed`. With two noise seeds, the rig measures one damper twice.
+    pub noise_seed: Option<u64>,
     /// Seed that shuffles the order of a plan's tests; `None` uses `seed`.
     pub order: Option<u64>,
     /// Number of worker threads; `None` uses all processors. The result does not depend on this number.
@@ -58,6 +60,7 @@ impl Default for Options {
             side_force_channel: true,
             temperature_channel: true,
             start_temperature_c: None,
+            noise_seed: None,
             order: None,
             threads: None,
         }

@@ -43,7 +43,13 @@ pub struct Errors {
 
 /// Computes the forces, N, of the model's fixed step at each multiple of `dt`, s: `steps + 1` values. The simulation starts in the steady
 /// state.
-pub fn step_forces(model: &Model, motion: &impl radau::Motion, dt: f64, steps: usize, given: HostInput) -> Vec<f64> {
+pub fn step_forces(
+    model: &Model,
+    motion: &impl radau::PrescribedMotion,
+    dt: f64,
+    steps: usize,
+    given: HostInput,
+) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.evaluate(t);
         match given {

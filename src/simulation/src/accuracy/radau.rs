@@ -9,12 +9,12 @@ use dashpot_core::{Input, Model, State, evaluate};
 use nalgebra::{DMatrix, DVector};
 
 /// Imposed motion: displacement and velocity at a time.
-pub trait Motion {
+pub trait PrescribedMotion {
     /// Returns displacement, m, and velocity, m/s, at time `t`, s.
     fn evaluate(&self, t: f64) -> (f64, f64);
 }
 
-impl<F: Fn(f64) -> (f64, f64)> Motion for F {
+impl<F: Fn(f64) -> (f64, f64)> PrescribedMotion for F {
     fn evaluate(&self, t: f64) -> (f64, f64) {
         self(t)
     }
@@ -23,7 +23,13 @@ impl<F: Fn(f64) -> (f64, f64)> Motion for F {
 /// Simulates the model from the steady state. Returns the force, N, at each multiple of `dt`, s: `steps + 1` values.
 ///
 /// Every interval is divided into `parts` Radau steps.
-pub fn reference_forces(model: &Model, motion: &impl Motion, dt: f64, steps: usize, parts: usize) -> Vec<f64> {
+pub fn reference_forces(
+    model: &Model,
+    motion: &impl PrescribedMotion,
+    dt: f64,
+    steps: usize,
+    parts: usize,
+) -> Vec<f64> {
     let input = |t: f64| {
         let (x, v) = motion.evaluate(t);
         Input::motion(x, v)

@@ -150,9 +150,14 @@ fn a_campaign_without_a_setting_is_refused_and_a_profile_gives_one() {
     assert_eq!(ran.code, Some(0), "{ran:?}");
     let file = std::fs::read_to_string(dir.join("family.toml")).unwrap();
     assert!(file.contains("setting = [0.0, 1.2]") && file.contains("setting_name = \"current\""), "{file}");
-    // A fit without `--setting` treats the records as one damper and warns.
-    let ran = run(dir, &["fit", "rig", "-o", "one.toml"]);
+    // Tests at several settings are fitted as one damper only on request.
+    let message = refused(dir, &["fit", "rig", "-o", "one.toml"]);
+    assert!(message.contains("2 settings of current") && message.contains("--setting none"), "{message}");
+    assert!(!dir.join("one.toml").exists());
+    let ran = run(dir, &["fit", "rig", "--setting", "none", "-o", "one.toml"]);
     assert!(ran.code == Some(0) && ran.err.contains("2 settings of current"), "{ran:?}");
+    // One setting alone is an ordinary damper.
+    done(dir, &["fit", "rig", "--hold-out", "*_soft", "-o", "hard.toml"]);
     let message = refused(dir, &["fit", "rig", "--setting", "clicks", "-o", "other.toml"]);
     assert!(message.contains("a setting called current"), "{message}");
 }

@@ -3,7 +3,7 @@
 
 use dashpot_core::{Model, Params, model_file};
 use dashpot_rig::Matrix;
-use dashpot_simulation::accuracy::radau::Motion as _;
+use dashpot_simulation::accuracy::radau::PrescribedMotion as _;
 use dashpot_simulation::accuracy::{Errors, References, Sine, errors, worst};
 use dashpot_tests::bridge::bridge_host;
 use std::fs::File;

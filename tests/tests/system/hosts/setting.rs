@@ -2,6 +2,7 @@
 //! through an FMU.
 
 use dashpot_test_support::skipped;
+use dashpot_tests::cli::program;
 use dashpot_tests::library::{Language, Linkage, directory, host, root, shared, succeed};
 use std::path::Path;
 use std::process::Command;
@@ -55,12 +56,16 @@ fn the_same_loop_through_an_fmu_gives_the_same_numbers() {
         return;
     }
     let folder = tempfile::tempdir().expect("a directory");
-    let fmu = folder.path().join("semi_active.fmu");
     let library = directory().join("libdashpot.a");
-    let mut export = Command::new(dashpot_test_support::profile_folder().join("dashpot"));
-    export.args(["export", "fmu"]).arg(model()).arg("-o").arg(&fmu).arg("--from-source").arg("--library").arg(library);
-    succeed(&mut export);
+    let export = |name: &str, options: &[&str]| {
+        let fmu = folder.path().join(name);
+        let mut export = Command::new(program());
+        export.args(["export", "fmu"]).arg(model()).arg("-o").arg(&fmu).arg("--from-source").arg("--library");
+        succeed(export.arg(&library).args(options));
+        fmu
+    };
+    let fmus = [export("fmi_2.fmu", &[]), export("fmi_3.fmu", &["--fmi", "3"]), export("vehicle.fmu", &["--four"])];
     let script: &Path = &root().join("tests/hosts/setting_fmu.py");
-    let told = succeed(Command::new("python3").arg(script).arg(shared()).arg(model()).arg(&fmu));
+    let told = succeed(Command::new("python3").arg(script).arg(shared()).arg(model()).args(fmus));
     assert!(told.contains("the same to the bit"), "{told}");
 }

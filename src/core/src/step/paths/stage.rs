@@ -60,7 +60,7 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     pub(super) shuts: bool,
     /// Derivative of the FV curve at the oil velocity, N s/m.
     derivative: f64,
-    at: Look,
+    at: StageAtVelocity,
     /// One over the total derivative of the stage equation's residual with respect to the oil velocity.
     per: f64,
 }
@@ -115,7 +115,7 @@ pub struct Derivative {
 
 /// Quantities of a stage computed from an oil velocity w, with their derivatives.
 #[derive(Clone, Copy, Debug)]
-struct Look {
+struct StageAtVelocity {
     residual: Residual,
     valves: Valves,
     column: Column,
@@ -158,7 +158,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         let factors = Factors::new::<ON>(e, path.x, side.1, states[place::HEAT]);
         let standing = e.fv_curve.at_zero();
         let per_g = 1.0 / g;
-        let given = Given {
+        let given = StageInputs {
             elements,
             path,
             from: known.moved_from.x,
@@ -180,7 +180,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         // If no element lies between the moving end and the valves, the oil has the velocity of the moving end.
         let is_sought = acts::<ON>(e, SERIES | COLUMN | CAVITATION | GROOVE | PASSAGE);
         let (from, rounds) = if is_sought { (guess, ITERATIONS) } else { (path.v, 0) };
-        let mut at = Look::NONE;
+        let mut at = StageAtVelocity::NONE;
         let Found { w, step, curve } =
             oil_velocity(e, from, rounds, least, tolerance, &Stage::<T, ON>(e, &given), &mut at);
         at.go::<ON>(e, g, step, curve.derivative);
@@ -223,7 +223,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             return;
         }
         let curve = e.fv_curve.evaluate(self.oil_velocity);
-        let given = Given {
+        let given = StageInputs {
             elements,
             path: self.path,
             from: self.moved_from.x,
@@ -237,7 +237,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             standing: e.fv_curve.at_zero(),
             factors: Factors::new::<ON>(e, self.path.x, side.1, self.known[place::HEAT]),
         };
-        self.at = Look::at::<ON>(e, &given, self.oil_velocity, curve.value);
+        self.at = StageAtVelocity::at::<ON>(e, &given, self.oil_velocity, curve.value);
         self.derivative = curve.derivative;
         let by_w = self.at.residual.by_w + self.at.residual.by_curve * curve.derivative;
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
@@ -420,7 +420,7 @@ impl<T: Tables, const ON: u32> StageDerivatives for PathsStage<'_, T, ON> {
 }
 
 /// Inputs of a stage.
-struct Given<'a, T: Tables> {
+struct StageInputs<'a, T: Tables> {
     elements: &'a Elements<T>,
     path: PathPoint,
     /// Displacement of the moving end before the stage, m.
@@ -438,13 +438,13 @@ struct Given<'a, T: Tables> {
 }
 
 /// The scalar equation of a stage for the oil velocity.
-struct Stage<'a, T: Tables, const ON: u32>(&'a Paths<T>, &'a Given<'a, T>);
+struct Stage<'a, T: Tables, const ON: u32>(&'a Paths<T>, &'a StageInputs<'a, T>);
 
 impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
-    type Seen = Look;
+    type Seen = StageAtVelocity;
     #[inline(always)]
-    fn evaluate(&self, w: f64, curve: f64, seen: &mut Look) -> Residual {
-        *seen = Look::at::<ON>(self.0, self.1, w, curve);
+    fn evaluate(&self, w: f64, curve: f64, seen: &mut StageAtVelocity) -> Residual {
+        *seen = StageAtVelocity::at::<ON>(self.0, self.1, w, curve);
         seen.residual
     }
 }
@@ -462,9 +462,9 @@ fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, 
     Response { force: near.force + near.d_force_d_x * (x - at), ..near }
 }
 
-impl Look {
+impl StageAtVelocity {
     /// The initial value before any evaluation.
-    const NONE: Look = Look {
+    const NONE: StageAtVelocity = StageAtVelocity {
         residual: Residual { value: 0.0, by_w: 0.0, by_curve: 0.0 },
         valves: Valves::NONE,
         column: Column::NONE,
@@ -515,9 +515,26 @@ impl Look {
     }
 
     #[inline(always)]
-    fn at<const ON: u32>(e: &Paths<impl Tables>, given: &Given<impl Tables>, w: f64, curve: f64) -> Look {
-        let Given { elements, path, from, side, states: known, on_mass, g, since, raised, per_g, standing, factors } =
-            given;
+    fn at<const ON: u32>(
+        e: &Paths<impl Tables>,
+        given: &StageInputs<impl Tables>,
+        w: f64,
+        curve: f64,
+    ) -> StageAtVelocity {
+        let StageInputs {
+            elements,
+            path,
+            from,
+            side,
+            states: known,
+            on_mass,
+            g,
+            since,
+            raised,
+            per_g,
+            standing,
+            factors,
+        } = given;
         let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
@@ -590,7 +607,7 @@ impl Look {
             (x, u) = (path.x, path.v);
             (law, at, resists) = (series::Derivatived::NONE, springs(elements, x, u, x, side), 1.0);
         }
-        Look {
+        StageAtVelocity {
             residual,
             valves,
             column,

@@ -10,7 +10,7 @@ import damper
 import sheet
 
 # Sections with sums and lists of the results of other formulas, and with equations to solve. The comparison of whole dampers with the kernel checks them.
-STRUCTURE = {"The frame", "The hydraulic path", "The settled state"}
+STRUCTURE = {"The frame", "The hydraulic path", "The equilibrium"}
 # Left sides of formulas that are words or node numbers, or whose sum has no stated end. They are not compared.
 PROSE = {"elsewhere A_1", "elsewhere b", "i", "m_k", "h_k", "Y(v)", "lagged_polynomial", "F_h"}
 

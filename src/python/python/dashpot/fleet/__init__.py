@@ -10,6 +10,7 @@ reason. ``python -m dashpot.fleet --help`` describes the usage.
 | ``files`` | files of a campaign with size and time of change |
 | ``checks`` | checks of a plan |
 | ``examine`` | evaluation of one campaign, which gives one row |
+| ``settings`` | dampers that depend on a setting, and the settings of a fleet |
 | ``store`` | parts on disk, and the table that is made from them |
 | ``cluster`` | Dask client and workers |
 | ``schedule`` | distribution of the jobs, retries, progress |

@@ -18,11 +18,12 @@ from .schedule import CHUNK, run, to_terminal
 _EXAMPLES = """examples:
   python -m dashpot.fleet campaigns/ --out results.parquet
   python -m dashpot.fleet fleet.csv --out results.parquet --limits limits.csv --reference good/ --report fleet.html
+  python -m dashpot.fleet semi_active/ --setting current --out results.parquet --limits limits.csv --report fleet.html
   python -m dashpot.fleet fleet.csv --out results.parquet --scheduler tcp://10.0.0.5:8786
   python -m dashpot.fleet fleet.csv --out results.parquet --slurm 100 --slurm-queue normal
 
 fleet.csv has the columns campaign, serial, batch, date (all but the first may be missing); its paths count from its own folder.
-limits.csv is the table of dashpot validate --limits: quantity, velocity_m_s, low, high, or nominal and tolerance.
+limits.csv is the table of dashpot validate --limits: quantity, velocity_m_s, low, high, or nominal and tolerance; with --setting also setting.
 A run that was ended goes on where it was when it is started again: finished campaigns are kept in OUT.parts.
 """
 
@@ -61,6 +62,8 @@ def _parser() -> argparse.ArgumentParser:
     add("--max-effects", type=_positive, default=1, metavar="N", help="most effects to add in a diagnosis [default: 1]")
     add("--candidates", metavar="NAMES", help="effects that may be named, separated by commas; all if not given")
     add("--family", choices=("thesis", "fv", "piecewise", "lag"), default="thesis", help="kind of model [default: thesis]")
+    add("--setting", metavar="NAME",
+        help='fit each damper over this setting of its tests, such as current or clicks; "none" fits tests at several settings as one damper')  # fmt: skip
     add("--elements", metavar="NAMES", help="elements that the fit may use, separated by commas")
     add("--hold-out", metavar="GLOBS", help="tests to leave out of the fit, separated by commas; * stands for anything")
     add("--positive", choices=("rebound", "compression"), help="direction that the files count positive")
@@ -101,6 +104,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         }
         plan = Plan(
             family=args.family,
+            setting=args.setting,
             elements=_split(args.elements) or None,
             hold_out=_split(args.hold_out),
             mapping={name: value for name, value in mapping.items() if value},

@@ -18,6 +18,8 @@ from .. import _native
 from .._native import DashpotError, DiagnosisError, FitError, RecordError, ValidationError
 from .._numbers import words
 from ..campaign import Campaign
+from ..certificate import _TIMES
+from ..family import Family
 from ..identification import diagnose, fit
 from ..limits import Limit, rows
 from ..model import Model
@@ -46,6 +48,7 @@ def checked(plan: Plan) -> Plan:
         _native.check_limits(rows(plan.limits))
     except (TypeError, ValidationError) as error:
         raise DashpotError(f"Plan.limits: {error}") from None
+    _setting(plan)
     reference: Any = plan.reference
     if reference is not None:
         if not isinstance(reference, (str, os.PathLike)):
@@ -65,6 +68,28 @@ def checked(plan: Plan) -> Plan:
     _mapping(plan.mapping)
     _known(plan)
     return plan
+
+
+def _setting(plan: Plan) -> None:
+    """Checks that setting, family and limits of a plan fit together.
+
+    :raises DashpotError: if they do not.
+    """
+    setting: Any = plan.setting
+    if setting is not None and (not isinstance(setting, str) or not setting):
+        raise DashpotError(f'Plan.setting is the name of what the tests were set to, such as "current", not {setting!r}')
+    if plan.over is not None and plan.family != "thesis":
+        raise DashpotError(f"Plan.setting fits the family thesis over the setting, not {plan.family}; leave one of the two out")
+    if plan.over is not None and plan.reference_model is not None:
+        Family(plan.reference_model, "Plan.reference_model")
+    for limit in plan.limits:
+        name = limit.label or limit.quantity
+        if plan.over is None and limit.setting is not None:
+            raise DashpotError(
+                f"Plan.limits: {name} holds at the setting {limit.setting:g}: give the name of the setting, --setting NAME or Plan(setting=NAME)"
+            )
+        if plan.over is not None and limit.setting is None and limit.quantity not in _TIMES:
+            raise DashpotError(f"Plan.limits: {name} has no setting: each limit of a force over {plan.over} needs one, in the column setting")
 
 
 def _names(name: str, given: str | Iterable[str] | None) -> tuple[str, ...] | None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections import Counter
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import asdict, dataclass, field
 from functools import lru_cache
@@ -14,12 +15,14 @@ import numpy as np
 
 from .. import _native
 from ..campaign import Campaign
+from ..family import Family, FittedFamily
 from ..identification import diagnose, fit
 from ..limits import Limit, rows
-from ..model import Model
+from ..model import FittedModel, Model
 from ..certificate import missed
 from .files import Stamp, stamps
 from .jobs import Job
+from .settings import NO_SETTING, at_each_setting, diagnosed, has, label, named_option, settings_in
 
 #: Velocities, m/s, at which rows contain the force of the damper, so that FV curves with different points are comparable. They are peak
 #: velocities of the thesis's test matrix.
@@ -29,7 +32,7 @@ VELOCITIES = (-1.047, -0.524, -0.262, -0.131, -0.052, 0.052, 0.131, 0.262, 0.524
 PASSING = "passing"
 
 #: Version of the columns of rows. Campaigns with rows of another version are evaluated again.
-ROWS = 2
+ROWS = 3
 
 #: Version of the measured values for limits in rows. Campaigns with values of another version are evaluated again.
 FIGURES = 2
@@ -44,6 +47,8 @@ class Plan:
     """Settings of the evaluation of all campaigns."""
 
     family: str = "thesis"
+    setting: str | None = None
+    """Name of the setting over which each damper is fitted, such as ``"current"``. ``"none"`` fits tests at several settings as one damper."""
     elements: tuple[str, ...] | None = None
     hold_out: tuple[str, ...] = ()
     mapping: dict[str, Any] = field(default_factory=dict)
@@ -62,6 +67,11 @@ class Plan:
     """Number of retries after a failure that the campaign did not cause, such as an unreachable file server."""
     threads: int = 1
     """Number of threads in one worker. It is 1 by default, because the workers already run campaigns in parallel."""
+
+    @property
+    def over(self) -> str | None:
+        """Name of the setting on which the dampers depend; None for dampers without a setting."""
+        return None if self.setting == NO_SETTING else self.setting
 
     @property
     def subfolders(self) -> bool:
@@ -121,15 +131,48 @@ def examine(job: Job, key: str, plan: Plan) -> dict[str, Any]:
     return row
 
 
+def fitted(campaign: Campaign, plan: Plan) -> FittedModel | FittedFamily:
+    """Fits the damper of a campaign: over the setting if the plan names one and the tests have several, else an ordinary damper.
+
+    :raises FitError: if no damper can be fitted. If the tests have several settings and the plan names none, the message names the option.
+    """
+    if plan.over is not None and len(settings_in(campaign, plan.over)) != 1:
+        return fit(campaign, setting=plan.over, elements=plan.elements, hold_out=plan.hold_out)
+    try:
+        if plan.setting == NO_SETTING:
+            # A plan without a setting makes the same fit where the tests have one setting or none.
+            return fit(campaign, setting=NO_SETTING, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
+        return fit(campaign, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
+    except _native.FitError as error:
+        raise named_option(campaign, error) from None
+
+
 def _figures(job: Job, plan: Plan) -> dict[str, Any]:
     campaign = Campaign.read(job.campaign, **plan.mapping)
-    model = fit(campaign, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
-    validation = model.validate(campaign)
-    measured = None
+    model = fitted(campaign, plan)
+    with warnings.catch_warnings():
+        # The doubts about settings are in the notes of the row, with the name of the damper.
+        warnings.simplefilter("ignore")
+        validation = model.validate(campaign)
+    compared = validation.campaign or campaign
+    unit, settings = _settings(model, compared, validation, plan)
+    measured: _native.Figures | _native.SettingsFigures | None = None
     if plan.limits:
         # Limits apply to the corrected records, as in the command.
-        measured = _native.Figures.measure((validation.campaign or campaign)._native)
+        if isinstance(model, FittedFamily):
+            measured = model._native.measure(compared._native)
+        elif plan.over is not None:
+            measured = _native.SettingsFigures.at(compared._native, settings[0]["setting"])
+        else:
+            measured = _native.Figures.measure(compared._native)
+    parts = model if isinstance(model, Model) else model.at(settings[0]["setting"])
+    doubts = (
+        f"{d.test}: its forces are those at {label(d.fitting, unit)}, and it is labeled {label(d.stated, unit)}" for d in validation.setting_doubts
+    )
     figures: dict[str, Any] = {
+        "setting": plan.over,
+        "setting_unit": unit if plan.over is not None else None,
+        "settings": settings,
         "tests": len(campaign),
         "positive": campaign.sign.positive,
         "positive_confidence": None if campaign.sign.is_stated else campaign.sign.confidence,
@@ -138,46 +181,72 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
         "rmse_n": validation.overall.rmse_n,
         "fv_error_percent": validation.overall.fv_only.error_percent,
         "measured": measured.text if measured is not None else None,
-        **judged(plan.limits, measured),
-        "elements": list(model.elements),
+        **judged(plan.limits, measured, unit, [one["setting"] for one in settings]),
+        "elements": list(parts.elements),
         "parameters": [
-            {"name": e.name, "index": e.index, "value": e.value, "low": e.low, "high": e.high, "unit": e.unit, "standing": e.standing}
+            {"name": e.name, "index": e.index, "value": e.value, "low": e.low, "high": e.high, "unit": e.unit, "standing": e.standing,
+             "setting": getattr(e, "setting", None)}
             for e in model.fit.parameters
         ],
         # Unusable files and tests come first, because a reader of the row must know that they were left out.
-        "notes": [*(u.why for u in campaign.unusable), *model.fit.notes],
+        "notes": [*(u.why for u in campaign.unusable), *doubts, *model.fit.notes],
         "model": model.text,
     }  # fmt: skip
-    low, high = model.velocity_range
-    forces = model.steady_force(np.array(VELOCITIES))
-    for velocity, force in zip(VELOCITIES, forces, strict=True):
-        # Outside the velocities of the campaign, the curve is extrapolated and therefore omitted.
-        shown = low <= velocity / PEAK_SCATTER <= high
-        figures[force_column(velocity)] = float(force) if shown else None
+    if isinstance(model, Model):
+        low, high = model.velocity_range
+        forces = model.steady_force(np.array(VELOCITIES))
+        for velocity, force in zip(VELOCITIES, forces, strict=True):
+            # Outside the velocities of the campaign, the curve is extrapolated and therefore omitted.
+            shown = low <= velocity / PEAK_SCATTER <= high
+            figures[force_column(velocity)] = float(force) if shown and plan.over is None else None
     if plan.reference is not None and (plan.diagnose == "all" or plan.diagnose == "failed" and figures["judgement"] == "failed"):
-        figures.update(_diagnosed(campaign, plan))
+        if plan.over is None:
+            figures.update(_diagnosed(campaign, plan))
+        else:
+            _diagnose_over_settings(campaign, plan, figures)
     return figures
 
 
-def judged(limits: Sequence[Limit], measured: _native.Figures | None) -> dict[str, Any]:
-    """Returns the entries of a row that depend on limits: verdict and descriptions of the limits that are not passed."""
+def _settings(model: FittedModel | FittedFamily, compared: Campaign, validation: Any, plan: Plan) -> tuple[str, list[dict[str, Any]]]:
+    """Returns the unit of the setting and the entries of a row for each setting. Without a setting, there are none."""
+    if plan.over is None:
+        return "", []
+    unit = model.unit if isinstance(model, Family) else next(r.setting.unit for r in compared if r.setting is not None)
+    return unit, at_each_setting(model, compared, validation, VELOCITIES, PEAK_SCATTER)
+
+
+def judged(
+    limits: Sequence[Limit],
+    measured: _native.Figures | _native.SettingsFigures | None,
+    unit: str = "",
+    settings: Sequence[float] | None = None,
+) -> dict[str, Any]:
+    """Returns the entries of a row that depend on limits: verdict and descriptions of the limits that are not passed.
+
+    :param unit: unit of the setting of a damper that depends on one.
+    :param settings: settings at which this damper was measured.
+    """
     if not limits or measured is None:
         return {"judgement": None, "missed": []}
     # The JSON is used without conversion to result classes, because every table of ten thousand dampers evaluates all limits again.
     found = json.loads(measured.judge(rows(limits)))
     judgement = {"pass": "passed", "fail": "failed", "incomplete": "incomplete"}[found["overall"]]
-    return {"judgement": judgement, "missed": [told for one in found["limits"] if (told := missed(one))]}
+    return {"judgement": judgement, "missed": [told for one in found["limits"] if (told := missed(one, unit, settings))]}
+
+
+def _good(plan: Plan) -> Campaign:
+    assert plan.reference is not None
+    return _reference(plan.reference, json.dumps(plan.mapping, sort_keys=True), tuple(stamps(plan.reference, plan.subfolders)))
 
 
 def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
-    assert plan.reference is not None and plan.reference_model is not None
-    good = _reference(plan.reference, json.dumps(plan.mapping, sort_keys=True), tuple(stamps(plan.reference, plan.subfolders)))
+    assert plan.reference_model is not None
     reference = Model(plan.reference_model, "reference.toml")
-    found = diagnose(reference, campaign, good, max_effects=plan.max_effects, candidates=plan.candidates)
+    found = diagnose(reference, campaign, _good(plan), max_effects=plan.max_effects, candidates=plan.candidates)
     said: dict[str, Any] = {
         "verdict": found.verdict,
         "summary": found.summary,
-        "changes": [asdict(change) for change in found.changes],
+        "changes": [{**asdict(change), "setting": None} for change in found.changes],
     }
     if found.findings:
         first = found.findings[0]
@@ -185,6 +254,28 @@ def _diagnosed(campaign: Campaign, plan: Plan) -> dict[str, Any]:
     elif found.suspects:
         said.update(suspect=found.suspects[0].effect, suspect_confidence=found.suspects[0].confidence)
     return said
+
+
+def _diagnose_over_settings(campaign: Campaign, plan: Plan, figures: dict[str, Any]) -> None:
+    """Adds the diagnosis against the reference at each setting that both dampers were measured at. A note names the other settings."""
+    assert plan.reference_model is not None
+    reference = Family(plan.reference_model, "reference.toml")
+    good = _good(plan)
+    known = settings_in(good, plan.over)
+    is_one_unit = {r.setting.unit for r in (*campaign, *good) if r.setting is not None} == {figures["setting_unit"]}
+    # Records in another unit are converted by the diagnosis itself.
+    common = [r for r in campaign if not is_one_unit or r.setting is not None and has(known, r.setting.value)]
+    apart = [one["setting"] for one in figures["settings"] if is_one_unit and not has(known, one["setting"])]
+    if apart:
+        listed = ", ".join(label(value, figures["setting_unit"]) for value in apart)
+        figures["notes"].append(f"not compared at {listed}: the reference was not measured there")
+    if not common:
+        return
+    found = diagnose(reference, common, good, max_effects=plan.max_effects, candidates=plan.candidates)
+    said, each = diagnosed(found)
+    figures.update(said)
+    for one in figures["settings"]:
+        one.update(next((own for setting, own in each.items() if has([setting], one["setting"])), {}))
 
 
 def examine_all(jobs: Sequence[tuple[Job, str]], plan: Plan) -> list[Mapping[str, Any]]:

@@ -21,6 +21,7 @@ import pyarrow.parquet as pq
 from .._native import DashpotError, OutputError
 from ..plot import plain
 from .examine import VELOCITIES, force_column, in_two_directions
+from .settings import label
 from .statistics import OUTLIER, Control, Numbers, Places, batches, control, drift, far_off, spread
 
 #: Largest number of dampers in the table of outliers, which begins with the worst. The Parquet file contains all dampers.
@@ -47,8 +48,15 @@ class Quantity:
     name: str
     unit: str
     values: Numbers
+    setting: str = ""
+    """Setting with its unit, such as ``0.8 A``; empty for a quantity without a setting."""
     known_to: float = 0.0
     """Median over the fleet of the standard deviation of one value in the fit; 0 if the fit states none."""
+
+    @property
+    def title(self) -> str:
+        """The name with the setting: "coulomb_force at 0.8 A"."""
+        return f"{self.name} at {self.setting}" if self.setting else self.name
 
     @property
     def off(self) -> Numbers:
@@ -99,7 +107,7 @@ def report(results: str | os.PathLike[str]) -> str:
     file = pq.ParquetFile(results)
     schema = file.schema_arrow
     said = ["campaign", "serial", "batch", "date", "status", "reason", "positive", "positive_confidence", "judgement", "missed", "verdict", "effect",
-            "effect_confidence", "suspect", "changes"]  # fmt: skip
+            "effect_confidence", "suspect", "changes", "setting_unit", "settings"]  # fmt: skip
     table = file.read(columns=said).to_pydict()
     count = len(table["campaign"])
     if not count:
@@ -109,8 +117,9 @@ def report(results: str | os.PathLike[str]) -> str:
     serials = np.array(sorted(range(count), key=lambda k: _natural(table["serial"][k])), dtype=np.intp)
     # The assumed order of manufacture: by date, then by serial number. Dampers without a date come last.
     order = serials[np.argsort(np.where(np.isfinite(dates), dates, np.inf)[serials], kind="stable")]
-    parts = [_HEAD, "<h1>Fleet of dampers</h1>", _summary(table, count)]
-    parts.append(_dampers(table, quantities))
+    settings = _settings_of(schema)
+    parts = [_HEAD, "<h1>Fleet of dampers</h1>", _summary(table, count), _over_settings(quantities, settings, count)]
+    parts.append(_dampers(table, quantities, settings))
     parts.append(_outliers(table, quantities))
     parts.append("<h2>Every quantity</h2><p>Left: how often which value. Then over date and over the order of making with the limits "
                  "of an individuals chart (centre ± 2.66 mean moving ranges; red: outside, orange: ninth in a row on one side); "
@@ -120,9 +129,25 @@ def report(results: str | os.PathLike[str]) -> str:
     return "".join(parts)
 
 
+def _said(schema: Any, name: str, key: str) -> str:
+    """Returns an entry of the metadata of a column, or an empty text."""
+    said = (schema.field(name).metadata or {}).get(key.encode(), b"")
+    return str(said.decode())
+
+
+def _settings_of(schema: Any) -> list[str]:
+    """Returns the settings of the fleet with their units, increasing; none for dampers without a setting."""
+    named = {_said(schema, n, "setting_name"): float(_said(schema, n, "setting")) for n in schema.names if _said(schema, n, "setting")}
+    return sorted(named, key=lambda name: named[name])
+
+
 def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
     names = [n[: -len("_low")] for n in schema.names if n.endswith("_low") and f"{n[: -len('_low')]}_high" in schema.names]
-    units = {n: (schema.field(n).metadata or {}).get(b"unit", b"").decode() for n in names}
+    over = [n for n in schema.names if _said(schema, n, "setting") and not n.endswith(("_low", "_high"))]
+    # All settings of a quantity follow each other.
+    order = {name: k for k, name in enumerate(dict.fromkeys(_said(schema, n, "quantity") for n in over))}
+    over.sort(key=lambda n: (order[_said(schema, n, "quantity")], float(_said(schema, n, "setting"))))
+    units = {n: _said(schema, n, "unit") for n in dict.fromkeys([*(n for n in names if n not in over), *over])}
     units |= {force_column(v): "N" for v in VELOCITIES} | {"error_percent": "%"}
     titles = {force_column(v): f"force at {1e3 * v:+g} mm/s" for v in VELOCITIES}
     for name, unit in units.items():
@@ -130,7 +155,9 @@ def _quantities(file: Any, schema: Any) -> Iterable[Quantity]:
         values = np.array(file.read(columns=[name])[name].to_pylist(), dtype=float)
         if np.isfinite(values).any():
             factor, shown = _shown(unit)
-            yield Quantity(titles.get(name, name), shown, factor * values, factor * _known_to(file, name) if name in names else 0.0)
+            own = _said(schema, name, "quantity") or name
+            known_to = factor * _known_to(file, name) if name in names else 0.0
+            yield Quantity(titles.get(own, own), shown, factor * values, _said(schema, name, "setting_name"), known_to)
 
 
 #: Factors from SI units to the units of reports, and these units. The table of results stays in SI units.
@@ -180,7 +207,35 @@ DAMPERS = 300
 _VERDICTS = {"passed": "PASS", "failed": "FAIL", "incomplete": "INCOMPLETE"}
 
 
-def _dampers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> str:
+#: Text in the place of a value at a setting at which a damper was not measured.
+_NOT_MEASURED = "not measured"
+
+
+def _over_settings(quantities: Sequence[Quantity], settings: Sequence[str], count: int) -> str:
+    """Renders the table of the quantities that depend on the setting: median, robust deviation and number of dampers at each setting."""
+    if not settings:
+        return ""
+    by_name: dict[str, dict[str, Quantity]] = {}
+    for q in quantities:
+        if q.setting:
+            by_name.setdefault(q.name, {})[q.setting] = q
+
+    def cell(q: Quantity | None) -> str:
+        usual = spread(q.values if q is not None else np.array([]))
+        return f"{_number(usual.median)} ± {_number(usual.deviation)} ({usual.count})" if usual.count else "–"
+
+    measured = {s: spread(by_name["error_percent"][s].values).count if s in by_name.get("error_percent", {}) else 0 for s in settings}
+    rows = [_row(("dampers measured", *(f"{measured[s]} of {count}" for s in settings)))]
+    for name, own in by_name.items():
+        unit = next(iter(own.values())).unit
+        title = "mean error" if name == "error_percent" else name
+        rows.append(_row((f"{title}, {unit}" if unit else title, *(cell(own.get(s)) for s in settings))))
+    head = _row(("median ± robust deviation (dampers)", *(f"at {s}" for s in settings)), "th")
+    text = "<p>A damper counts only at the settings at which it was measured.</p>"
+    return f"<h2>Over the setting</h2>{text}<table>{head}{''.join(rows)}</table>"
+
+
+def _dampers(table: dict[str, list[Any]], quantities: Sequence[Quantity], settings: Sequence[str]) -> str:
     """Renders the table of dampers, with one row for each damper."""
     count = len(table["campaign"])
     signed = np.nan_to_num(np.array([q.off for q in quantities])).reshape(-1, count)
@@ -190,12 +245,13 @@ def _dampers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> str
     listed = list(range(count))
     if count > DAMPERS:
         listed = sorted(listed, key=lambda k: (table["status"][k] == "ok", rank.get(table["judgement"][k] or "", 2), -worst[k], k))[:DAMPERS]
-    by_name = {q.name: q.values for q in quantities}
+    by_name = {q.name: q.values for q in quantities if not q.setting}
+    at_settings = {q.setting: q.values for q in quantities if q.setting and q.name == "error_percent"}
     error = by_name.get("error_percent", np.full(count, np.nan))
     rows = []
     for k in listed:
         furthest = int(off[:, k].argmax()) if len(off) else 0
-        unusual = f"{quantities[furthest].name} ({_distance(float(signed[furthest, k]))})" if worst[k] > OUTLIER else "–"
+        unusual = f"{quantities[furthest].title} ({_distance(float(signed[furthest, k]))})" if worst[k] > OUTLIER else "–"
         is_ok = table["status"][k] == "ok"
         verdict = _VERDICTS.get(table["judgement"][k] or "", "–")
         missed = "; ".join(table["missed"][k] or ())
@@ -203,14 +259,20 @@ def _dampers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> str
             _row(
                 (
                     table["serial"][k] or table["campaign"][k], table["batch"][k] or "–", (table["date"][k] or "–")[:10],
-                    _number(float(error[k])) if is_ok else "not identified", f"{verdict}: {missed}" if missed else verdict, unusual,
+                    _number(float(error[k])) if is_ok else "not identified",
+                    *(_at_setting(at_settings.get(s), k) if is_ok else "–" for s in settings), f"{verdict}: {missed}" if missed else verdict, unusual,
                     _effect(table, k) if is_ok else "–",
                 )
             )
         )  # fmt: skip
-    head = _row(("damper", "batch", "date", "mean error, %", "limits", "most unusual (robust deviations)", "changed against the reference"), "th")
+    over = [f"at {s}, %" for s in settings]
+    head = _row(("damper", "batch", "date", "mean error, %", *over, "limits", "most unusual (robust deviations)", "changed against the reference"), "th")
     more = f"<p>{count - DAMPERS} more are in the Parquet table: those that miss a limit or are far off are listed.</p>" if count > DAMPERS else ""
     return f'<h2>Dampers</h2><div class="scroll"><table>{head}{"".join(rows)}</table></div>{more}'
+
+
+def _at_setting(values: Numbers | None, k: int) -> str:
+    return _number(float(values[k])) if values is not None and np.isfinite(values[k]) else _NOT_MEASURED
 
 
 def _summary(table: dict[str, list[Any]], count: int) -> str:
@@ -257,18 +319,40 @@ def _named(change: dict[str, Any]) -> str:
     return change["name"] if velocity is None else f"{change['name']} at {1e3 * velocity:.0f} mm/s"
 
 
+def _changed(changes: Sequence[dict[str, Any]], unit: str) -> list[str]:
+    """Formats changes, each name once: "coulomb_force 30 to 90 N at 0.8 A (also at 0 A)"."""
+    by_name: dict[str, list[dict[str, Any]]] = {}
+    for change in changes:
+        by_name.setdefault(change["name"], []).append(change)
+    out = []
+    for first, *others in by_name.values():
+        text = f"{_named(first)} {_change(first)}"
+        if first.get("setting") is not None:
+            text += f" at {label(first['setting'], unit)}"
+            also = sorted({c["setting"] for c in others} - {first["setting"]})
+            text += f" (also at {', '.join(label(s, unit) for s in also)})" if also else ""
+        out.append(text)
+    return out
+
+
+def _found_at(table: dict[str, list[Any]], k: int, kind: str) -> str:
+    """Returns the settings at which a damper has its effect or suspect: " at 0 A, 0.8 A"; empty for a damper without a setting."""
+    settings = (table.get("settings") or {k: None})[k] or ()
+    at = [label(one["setting"], table["setting_unit"][k] or "") for one in settings if one[kind] == table[kind][k]]
+    return f" at {', '.join(at)}" if at else ""
+
+
 def _effect(table: dict[str, list[Any]], k: int) -> str:
     """Formats the result of the diagnosis of a damper: effect, suspect, changed values or verdict."""
     if table["effect"][k]:
-        return f"{table['effect'][k]} ({100 * table['effect_confidence'][k]:.0f} % sure)"
+        return f"{table['effect'][k]}{_found_at(table, k, 'effect')} ({100 * table['effect_confidence'][k]:.0f} % sure)"
     if table["suspect"][k]:
-        return f"suspect: {table['suspect'][k]}"
+        return f"suspect: {table['suspect'][k]}{_found_at(table, k, 'suspect')}"
     # The damper has the effects of the reference, so only values differ. The change with the largest force comes first.
     changed = sorted(table["changes"][k] or (), key=lambda c: -c["force_n_rms"])
     if changed:
-        return "changed: " + ", ".join(
-            f"{_named(c)} {_change(c)}" for c in changed[:3]
-        )
+        unit = (table.get("setting_unit") or {k: None})[k] or ""
+        return "changed: " + ", ".join(_changed(changed, unit)[:3])
     words = {"nothing_missing": "nothing that the tests show", "unknown_effect": "no known effect", "cannot_tell": "undecided"}
     return words.get(table["verdict"][k] or "", "not diagnosed")
 
@@ -287,7 +371,7 @@ def _outliers(table: dict[str, list[Any]], quantities: Sequence[Quantity]) -> st
     for k in found[:OUTLIERS]:
         by = np.argsort(-off[:, k], kind="stable")[:3]
         quoted = ", ".join(
-            f"{quantities[i].name} {_number(quantities[i].values[k])} {quantities[i].unit} ({_distance(float(distances[i][k]))})"
+            f"{quantities[i].title} {_number(quantities[i].values[k])} {quantities[i].unit} ({_distance(float(distances[i][k]))})"
             for i in by
             if off[i, k] > OUTLIER
         )
@@ -313,14 +397,14 @@ def _quantity(q: Quantity, dates: Numbers, serials: Places, order: Places, names
     if chart is not None and (chart.beyond or chart.shifted):
         said.append(f"{len(chart.beyond)} outside the limits of the control chart, {len(chart.shifted)} in runs")
     picture = _picture(q, dates, order, chart, groups)
-    return f"<h3>{html.escape(q.name)}</h3><p>{html.escape('; '.join(said))}.</p>{picture}"
+    return f"<h3>{html.escape(q.title)}</h3><p>{html.escape('; '.join(said))}.</p>{picture}"
 
 
 def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, groups: Sequence[Any]) -> str:
     out = io.BytesIO()
     # The image contains no version and no date, so that equal results give equal bytes.
     figure_of(q, dates, order, chart, groups).savefig(out, format="png", dpi=DPI, metadata={"Software": None})
-    return f'<img alt="{html.escape(q.name)}" src="data:image/png;base64,{base64.b64encode(out.getvalue()).decode()}">'
+    return f'<img alt="{html.escape(q.title)}" src="data:image/png;base64,{base64.b64encode(out.getvalue()).decode()}">'
 
 
 #: Resolution of a picture, dots per inch. At 90, a label of 9 points has 11 px.

@@ -12,12 +12,12 @@ from typing import IO, Any
 
 import pyarrow.parquet as pq
 
-from .._native import DashpotError, Figures, RecordError
+from .._native import DashpotError, Figures, RecordError, SettingsFigures
 from ..campaign import Campaign
-from ..identification import fit
+from ..family import Family
 from .checks import checked
 from .cluster import Place, client_of, has_dashboard, wait_for_workers
-from .examine import PASSING, Plan, examine_all, in_two_directions, judged
+from .examine import PASSING, Plan, examine_all, fitted, in_two_directions, judged
 from .jobs import Job
 from .store import NOT_DONE, Store
 
@@ -98,8 +98,10 @@ def run(
 
         def finish(place: int, row: Mapping[str, Any]) -> Mapping[str, Any]:
             """Returns the entries of the job list for this row, and the verdict of this run's limits on its measured values."""
-            measured = Figures.parse(row["measured"]) if row["measured"] else None
-            return {**asdict(given[place]), **judged(plan.limits, measured)}
+            kind = Figures if plan.over is None else SettingsFigures
+            measured = kind.parse(row["measured"]) if row["measured"] else None
+            settings = [one["setting"] for one in row["settings"] or ()]
+            return {**asdict(given[place]), **judged(plan.limits, measured, row["setting_unit"] or "", settings)}
 
         without = store.table(keys, finish)
         read = pq.read_table(out, columns=["positive", "positive_confidence"]).to_pydict()
@@ -129,7 +131,9 @@ def _ready(plan: Plan) -> Plan:
     if plan.reference is None or plan.reference_model is not None or plan.diagnose == "none":
         return plan
     good = Campaign.read(plan.reference, **plan.mapping)
-    model = fit(good, family=plan.family, elements=plan.elements, hold_out=plan.hold_out)
+    model = fitted(good, plan)
+    if plan.over is not None and not isinstance(model, Family):
+        raise DashpotError(f"the reference {plan.reference} has tests at one {plan.over}; a damper over {plan.over} needs at least two")
     return replace(plan, reference_model=model.text)
 
 

@@ -18,6 +18,7 @@ import pyarrow.parquet as pq
 
 from .._native import OutputError
 from .examine import VELOCITIES, force_column
+from .settings import FleetSettings, column, place_of
 
 _NUMBER = pa.struct(
     [
@@ -28,6 +29,7 @@ _NUMBER = pa.struct(
         ("high", pa.float64()),
         ("unit", pa.string()),
         ("standing", pa.string()),
+        ("setting", pa.float64()),
     ]
 )
 _CHANGE = pa.struct(
@@ -41,13 +43,31 @@ _CHANGE = pa.struct(
         ("probability", pa.float64()),
         ("force_n_rms", pa.float64()),
         ("velocity_m_s", pa.float64()),
+        ("setting", pa.float64()),
+    ]
+)
+_AT_SETTING = pa.struct(
+    [
+        ("setting", pa.float64()),
+        ("tests", pa.int32()),
+        ("error_percent", pa.float64()),
+        ("rmse_n", pa.float64()),
+        ("fv_error_percent", pa.float64()),
+        ("forces", pa.list_(pa.float64())),
+        ("verdict", pa.string()),
+        ("effect", pa.string()),
+        ("effect_form", pa.string()),
+        ("effect_confidence", pa.float64()),
+        ("suspect", pa.string()),
+        ("suspect_confidence", pa.float64()),
     ]
 )
 #: Columns that only parts contain: keys of the jobs, and measured values for limits.
 OF_PARTS = ("key", "measured")
 #: Suffix of the key of a row that the table shows but that does not count as finished. The next run evaluates its campaign again.
 NOT_DONE = "~"
-#: Columns of a part. The table has three further columns (value, low, high) for every parameter that any damper has.
+#: Columns of a part. The table has three further columns (value, low, high) for every parameter that any damper has. A parameter that depends
+#: on the setting has these columns at each setting of the fleet, such as ``coulomb_force_at_0.8_A``. So have errors and forces.
 SCHEMA = pa.schema(
     [
         ("key", pa.string()),
@@ -60,6 +80,9 @@ SCHEMA = pa.schema(
         ("judgement", pa.string()),
         ("missed", pa.list_(pa.string())),
         ("measured", pa.string()),
+        ("setting", pa.string()),
+        ("setting_unit", pa.string()),
+        ("settings", pa.list_(_AT_SETTING)),
         ("tests", pa.int32()),
         ("positive", pa.string()),
         ("positive_confidence", pa.float64()),
@@ -187,8 +210,10 @@ class Store:
         """
         units: dict[str, str] = {}
         failed = 0
+        over = FleetSettings()
         for row in self.rows(keys):
             failed += row["status"] == "failed"
+            over.take(row)
             for number in row["parameters"] or ():
                 if number["index"] is None:
                     units.setdefault(number["name"], number["unit"])
@@ -196,28 +221,57 @@ class Store:
         fields = [f for f in SCHEMA if f.name not in OF_PARTS]
         for name in names:
             unit = {"unit": units[name]}
-            fields.extend(pa.field(n, pa.float64(), metadata=unit) for n in (name, f"{name}_low", f"{name}_high"))
+            if name not in over.varying:
+                fields.extend(pa.field(n, pa.float64(), metadata=unit) for n in (name, f"{name}_low", f"{name}_high"))
+        at_settings = {value: over.label(value) for value in over.values()}
+        for value, shown in at_settings.items():
+            said = {"setting": repr(value), "setting_name": shown}
+            for name, own_unit in (("error_percent", "%"), *((force_column(v), "N") for v in VELOCITIES)):
+                fields.append(pa.field(column(name, shown), pa.float64(), metadata={**said, "quantity": name, "unit": own_unit}))
+            for name in sorted(over.varying):
+                own, metadata = column(name, shown), {**said, "quantity": name, "unit": units[name]}
+                fields.extend(pa.field(n, pa.float64(), metadata=metadata) for n in (own, f"{own}_low", f"{own}_high"))
         schema = pa.schema(fields)
-        _write_whole(self.out, self._groups(keys, schema, finish), schema)
+        _write_whole(self.out, self._groups(keys, schema, finish, over, at_settings), schema)
         return failed
 
-    def _groups(self, keys: Sequence[str], schema: pa.Schema, finish: Finish | None) -> Iterator[pa.Table]:
+    def _groups(
+        self, keys: Sequence[str], schema: pa.Schema, finish: Finish | None, over: FleetSettings, at_settings: Mapping[float, str]
+    ) -> Iterator[pa.Table]:
         for start in range(0, len(keys), GROUP):
             rows = []
             for at, row in enumerate(self.rows(keys[start : start + GROUP]), start):
                 if finish is not None:
                     row.update(finish(at, row))
+                # A damper has values only at its own settings. At all others it was not measured.
+                own = {one["setting"]: _shown(one["setting"], row, over, at_settings) for one in row["settings"] or ()}
+                for one in row["settings"] or ():
+                    shown = own[one["setting"]]
+                    if shown is not None:
+                        row[column("error_percent", shown)] = one["error_percent"]
+                        row.update({column(force_column(v), shown): force for v, force in zip(VELOCITIES, one["forces"], strict=True)})
                 for number in row["parameters"] or ():
                     # A parameter that the data does not determine has no value in the table, because its number is a default.
                     if number["index"] is None and number["standing"] != "not_identified":
-                        name = number["name"]
-                        row[name], row[f"{name}_low"], row[f"{name}_high"] = number["value"], number["low"], number["high"]
+                        name, columns = number["name"], [number["name"]]
+                        if name in over.varying:
+                            there = own.values() if number["setting"] is None else [own.get(number["setting"])]
+                            columns = [column(name, shown) for shown in there if shown is not None]
+                        for key in columns:
+                            row[key], row[f"{key}_low"], row[f"{key}_high"] = number["value"], number["low"], number["high"]
                 rows.append(row)
             yield _table(rows, schema)
 
     def close(self) -> None:
         """Releases the lock on the parts."""
         self._lock.close()
+
+
+def _shown(setting: float, row: Mapping[str, Any], over: FleetSettings, at_settings: Mapping[float, str]) -> str | None:
+    """Returns the text of the fleet's setting at which a damper was measured, or None if its unit belongs to another quantity."""
+    value = over.own(row, setting)
+    place = None if value is None else place_of(list(at_settings), value)
+    return None if place is None else at_settings[place]
 
 
 def _table(rows: Sequence[Mapping[str, Any]], schema: pa.Schema) -> pa.Table:

@@ -34,10 +34,9 @@ pub(super) fn mirror(settings: &[Vec<Seen<'_>>]) -> Vec<Option<usize>> {
     settings.iter().map(|tests| partner(stated(tests)?)).collect()
 }
 
-/// Returns the tests whose labels count from another end than those of most tests, by index of the setting and of the
-/// test within the setting.
+/// Returns the tests whose labels count from another end than those of most tests.
 ///
-/// If half of the tests count from each end, the half without the first motion is returned.
+/// Each test is given by the index of its setting and its index within the setting. If half of the tests count from each end, the half without the first motion is returned.
 pub(super) fn mirrored_tests(settings: &[Vec<Seen<'_>>], mirror: &[Option<usize>]) -> Vec<(usize, usize)> {
     let motions = motions(settings);
     let count = motions.len();
@@ -120,10 +119,9 @@ fn motions(settings: &[Vec<Seen<'_>>]) -> Vec<Motion> {
     motions
 }
 
-/// Returns the mean differences of the force ratios between settings of two motions, as natural logarithms: first with
-/// the labels as stated, then with those of one motion mirrored.
+/// Returns the mean differences of the force ratios between settings of two motions, as natural logarithms.
 ///
-/// Both are of the same tests, because a mean over fewer tests may be smaller by chance. Returns `None` if the motions
+/// The first value is that with the labels as stated, the second that with the labels of one motion mirrored. Both are of the same tests, because a mean over fewer tests may be smaller by chance. Returns `None` if the motions
 /// share no velocity at two settings or more.
 fn disagreements(one: &Motion, other: &Motion, mirror: &[Option<usize>]) -> Option<[f64; 2]> {
     // Differences of each velocity level, with the labels as stated and mirrored.
