@@ -523,7 +523,7 @@ status-kept = conservé
 status-added = ajouté
 status-replaced = remplacé
 status-removed = retiré
-replaces = à la place de { $effect }
+replaces = à la place ‹de›{ $effect }
 or-instead = ou { $effect } à sa place ({ $probability })
 inventory-caption = Tous les effets du modèle donné et du modèle le plus probable. La force d’un effet est ce que change son retrait, tout le reste étant conservé.
 other-effects = autres effets
@@ -1770,8 +1770,8 @@ diagnosis-and = { " " }et{ " " }
 ## What a diagnosis says. The answer.
 
 diagnosis-times = { $times } fois l’écart que laissent le bruit et la forme des courbes
-diagnosis-name-and-sure = { $effect } (sûr à { $percent }{ $instead })
-diagnosis-instead-of = , à la place de { $effect }
+diagnosis-name-and-sure = ‹le›{ $effect } (sûr à { $percent }{ $instead })
+diagnosis-instead-of = , à la place ‹de›{ $effect }
 diagnosis-has-effect = cet amortisseur montre { $names } ; { $residual }, { $rest }{ $also }
 diagnosis-residual-falls = le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe
 diagnosis-residual-stays = le résidu ne baisse pas ({ $before } fois le bruit et l’erreur de courbe avant, { $after } fois après)
@@ -1779,8 +1779,8 @@ diagnosis-leaves-nothing = ce qui ne laisse rien d’inexpliqué
 diagnosis-leaves-a-part = ce qui laisse une part inexpliquée
 diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; { $residual }, { $rest }{ $also }
 diagnosis-also-changed = { " " }; également changé : { $changes }
-diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre { $effect } (sûr à { $sure }{ $instead })
-diagnosis-at-some-settings = { $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé
+diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre ‹le›{ $effect } (sûr à { $sure }{ $instead })
+diagnosis-at-some-settings = ‹le›{ $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé
 diagnosis-only-together = aucun réglage à lui seul n’exige { $effects } ; un réglage en dit moins que tous ensemble, donc l’ajustement sur tous les réglages (dashpot fit --setting) décide si le modèle le garde
 diagnosis-at-no-setting = à aucun réglage il ne manque au modèle un effet que ces enregistrements puissent nommer
 diagnosis-changed-at-all-settings = { $name } a changé à chaque réglage (sûr à { $sure })
@@ -1815,11 +1815,11 @@ diagnosis-more-numbers = { " " }et { $count } autres
 diagnosis-cannot-show = { " " }; elles ne peuvent montrer { $effects }
 diagnosis-not-confirmed = { " " }; aucun essai n’a été mis de côté pour le confirmer
 diagnosis-cannot-tell = il manque quelque chose : le modèle s’écarte de { $times }, et { $why }
-diagnosis-too-few-tests = { $effect } est le plus probable, mais trop peu d’essais l’appuient pour le nommer
+diagnosis-too-few-tests = ‹le›{ $effect } est le plus probable, mais trop peu d’essais l’appuient pour le nommer
 diagnosis-not-apart = ces mesures ne peuvent distinguer { $effects }
 diagnosis-unknown-effect = le modèle s’écarte de { $times }, et aucun des effets connus n’est assez probable pour l’expliquer{ $nearest }
 diagnosis-looks-like = { " " }; cela ressemble à { $what }
-diagnosis-nearest = { " " }; le plus proche, { $effect }, explique { $percent }
+diagnosis-nearest = { " " }; le plus proche, ‹le›{ $effect }, explique { $percent }
 diagnosis-explains = explique { $percent } du désaccord
 
 ## What a diagnosis says. What a disagreement without a name looks like.
@@ -1846,7 +1846,7 @@ diagnosis-off-both-ways = l’effort mesuré est tantôt supérieur, tantôt inf
 diagnosis-run-sine = réaliser un sinus de { $amplitude } { $unit } à { $frequency } Hz{ $about }{ $under } : { $a } et { $b } y diffèrent de { $difference } N efficaces
 diagnosis-about-mean = { " " }autour de { $mean } { $unit } au compte des fichiers
 diagnosis-under-side-force = { " " }sous { $force } N d’effort latéral
-diagnosis-shows-best = { $effect } se montre le mieux ainsi : { $remedy }
+diagnosis-shows-best = ‹le›{ $effect } se montre le mieux ainsi : { $remedy }
 diagnosis-no-trace = à un niveau habituel, il ne laisserait pas de trace dans ces essais : { $remedy }
 diagnosis-sum-alone = le tube s’élargit avec la pression comme cède la colonne d’huile : un banc montre leur somme, que représente la compressibilité de l’huile (oil_compressibility)
 
