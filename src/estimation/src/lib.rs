@@ -12,7 +12,7 @@
 //! | [`hypothesis`] | a model with free parameters, and the measurement errors of the rig |
 //! | [`priors`] | prior of each parameter over all dampers |
 //! | [`prior_set`] | priors of one damper |
-//! | [`usual_range`] | range of each parameter over dampers and rigs |
+//! | [`prior_range`] | range of each parameter over dampers and rigs |
 //! | [`measurement`] | measurement errors that the rig adds to a record |
 //! | [`heating`] | temperature of the damper in each test |
 //! | [`solve`], [`refit`] | bounded, robust least squares for any residuals; refits of a hypothesis |
@@ -43,6 +43,7 @@ pub mod heating;
 pub mod hypothesis;
 pub mod log_prior;
 pub mod measurement;
+pub mod prior_range;
 pub mod prior_set;
 pub mod priors;
 pub mod refit;
@@ -58,6 +59,5 @@ pub mod spring_end;
 pub mod step_at_rest;
 pub mod structure;
 pub mod unknowns;
-pub mod usual_range;
 pub mod vocabulary;
 pub mod warmth;

@@ -4,9 +4,9 @@ use crate::phrases;
 use crate::{Estimate, Standing};
 use dashpot_core::Params;
 use dashpot_core::parameter::Number;
+use dashpot_estimation::prior_range::{is_rare, prior_range};
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::scale::Scale;
-use dashpot_estimation::usual_range::{is_rare, usual_range};
 use dashpot_messages::Sentence;
 use dashpot_records::Reading;
 
@@ -20,7 +20,7 @@ pub(crate) fn describe_rare(estimate: &Estimate, params: &Params, own: &PriorSet
     if estimate.index.is_some() || has_own || !params.counts(number.row()) || !is_rare(number, estimate.value, scale) {
         return None;
     }
-    let (low, high) = usual_range(number, scale)?;
+    let (low, high) = prior_range(number, scale)?;
     let said = |value: f64| Reading::single(value, estimate.unit).with_unit();
     let rare = match estimate.standing {
         Standing::NotIdentified => phrases::RARE_ASSUMED,

@@ -16,7 +16,7 @@ const PULL: f64 = 5.0;
 
 /// Returns the range of a parameter over dampers of a size and their rigs. Returns `None` for a parameter without a prior. The range of a
 /// strength begins at zero, because an effect may be absent.
-pub fn usual_range(number: Number, scale: Scale) -> Option<(f64, f64)> {
+pub fn prior_range(number: Number, scale: Scale) -> Option<(f64, f64)> {
     let usual = distribution(number, scale)?;
     let (low, high) = usual.interval(RARE);
     Some(match usual {
@@ -26,11 +26,11 @@ pub fn usual_range(number: Number, scale: Scale) -> Option<(f64, f64)> {
     })
 }
 
-/// Returns whether a value is outside the [`usual_range`] of its parameter. Only the size of a strength counts, not its sign.
+/// Returns whether a value is outside the [`prior_range`] of its parameter. Only the size of a strength counts, not its sign.
 pub fn is_rare(number: Number, value: f64, scale: Scale) -> bool {
     let is_strength = matches!(distribution(number, scale), Some(Distribution::Strength(..)));
     let value = if is_strength { value.abs() } else { value };
-    usual_range(number, scale).is_some_and(|(low, high)| !(low..=high).contains(&value))
+    prior_range(number, scale).is_some_and(|(low, high)| !(low..=high).contains(&value))
 }
 
 #[cfg(test)]
