@@ -4,7 +4,7 @@ use clap::ArgMatches;
 use std::path::PathBuf;
 
 /// Identifiers of the options, of all verbs, that name an output.
-pub const OUTPUTS: [&str; 7] = ["output", "json", "report", "svg", "certificate", "excel", "next_tests"];
+const OUTPUTS: [&str; 7] = ["output", "json", "report", "svg", "certificate", "excel", "next_tests"];
 
 /// Returns every value of the command line that may be a file or a folder, except those of output options.
 pub fn named(matches: &ArgMatches) -> Vec<PathBuf> {

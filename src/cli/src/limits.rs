@@ -24,22 +24,31 @@ pub fn table(found: &Certificate) -> String {
             100.0 * NEAR
         );
     }
+    let limits = |count: usize| if count == 1 { "1 limit".to_owned() } else { format!("{count} limits") };
+    let are = |count: usize| if count == 1 { "is" } else { "are" };
     let (all, tested) = (found.limits.len(), found.limits.len() - untested);
     out += &match found.overall {
         Overall::Pass if all == 1 => "PASS: the one limit is kept".to_owned(),
         Overall::Pass => format!("PASS: all {all} limits are kept"),
-        Overall::Fail if untested == 0 => format!("FAIL: {failed} of {all} limits are not kept"),
+        Overall::Fail if untested == 0 => format!("FAIL: {failed} of {} {} not kept", limits(all), are(failed)),
         Overall::Fail => {
             format!(
-                "FAIL: {failed} of the {tested} limits tested are not kept; {untested} more could not be tested with these records"
+                "FAIL: {failed} of the {} tested {} not kept; {untested} more could not be tested with these records",
+                limits(tested),
+                are(failed)
             )
+        }
+        Overall::Incomplete if all == 1 => {
+            "INCOMPLETE: the one limit could not be tested with these records".to_owned()
         }
         Overall::Incomplete if tested == 0 => {
             format!("INCOMPLETE: none of the {all} limits could be tested with these records")
         }
         Overall::Incomplete => {
             format!(
-                "INCOMPLETE: the {tested} limits tested are kept; {untested} more could not be tested with these records"
+                "INCOMPLETE: the {} tested {} kept; {untested} more could not be tested with these records",
+                limits(tested),
+                are(tested)
             )
         }
     };

@@ -1,6 +1,5 @@
 //! Command-line options that all reports share, and the origin of a report: date, command line and hashes of its files.
 
-use crate::inputs::OUTPUTS;
 use dashpot_report::words::{Language, Words};
 use dashpot_report::{Made, Print, made};
 use std::path::PathBuf;
@@ -63,27 +62,9 @@ impl DateArgs {
     }
 }
 
-/// Returns the command line in shell syntax, without output options, `--date` and `--force`, which do not affect the results.
+/// Returns the command line in shell syntax, with all its words as typed.
 fn command(arguments: impl Iterator<Item = String>) -> String {
-    let outputs: Vec<String> =
-        OUTPUTS.iter().chain(&["date"]).map(|name| format!("--{}", name.replace('_', "-"))).collect();
-    let is_output = |text: &str| text == "-o" || outputs.iter().any(|o| o == text);
-    let mut words = vec!["dashpot".to_owned()];
-    let mut skip = false;
-    for argument in arguments {
-        if std::mem::take(&mut skip) {
-            continue;
-        }
-        if is_output(&argument) {
-            skip = true;
-            continue;
-        }
-        if argument == "--force" || argument.split_once('=').is_some_and(|(name, _)| is_output(name)) {
-            continue;
-        }
-        words.push(argument);
-    }
-    made::command_line(words)
+    made::command_line(std::iter::once("dashpot".to_owned()).chain(arguments))
 }
 
 #[cfg(test)]
@@ -91,25 +72,12 @@ mod tests {
     use super::command;
 
     #[test]
-    fn the_command_is_told_without_its_outputs() {
+    fn the_command_has_all_its_words() {
         let of = |line: &[&str]| command(line.iter().map(ToString::to_string));
         assert_eq!(
-            of(&[
-                "validate",
-                "m.toml",
-                "my data",
-                "--report",
-                "r.html",
-                "--json=-",
-                "--limits",
-                "l.csv",
-                "--force",
-                "--excel",
-                "t.xlsx",
-                "--next-tests=n.csv"
-            ]),
-            "dashpot validate m.toml 'my data' --limits l.csv"
+            of(&["validate", "m.toml", "my data", "--report", "r.html", "--json=-", "--force", "--next-tests=n.csv"]),
+            "dashpot validate m.toml 'my data' --report r.html --json=- --force --next-tests=n.csv"
         );
-        assert_eq!(of(&["fit", "a*.csv", "-o", "m.toml"]), "dashpot fit 'a*.csv'");
+        assert_eq!(of(&["fit", "a*.csv", "-o", "m.toml"]), "dashpot fit 'a*.csv' -o m.toml");
     }
 }

@@ -29,7 +29,7 @@ dashpot_messages::phrases! {
     // Effects that the tests of the campaign cannot show, and tests that the search does not use.
     ONE_RATE: "all tests turn at nearly the same rate, so that a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at a third of the frequency would tell them apart";
     ONE_TEST: "in a single test, a late force channel and a soft series path look alike: the channel was taken as on time; the same stroke at a third of the frequency would tell them apart";
-    ROADS: "the long tests without cycles ({roads}) are run in {stretches} stretches of {seconds} s each, chosen to visit every displacement and velocity of theirs; errors over whole records count every sample";
+    ROADS: "the long {roads|test|tests} without cycles ({roads}) {roads|is|are} run in {stretches|# stretch|# stretches} of {seconds} s each, chosen to visit every displacement and velocity of {roads|its|theirs}; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_SLOW_TEST: "there is no slow test with whole cycles (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
@@ -72,7 +72,7 @@ dashpot_messages::phrases! {
     FAMILY_LEFT_OUT: "each setting predicted by the others";
     FAMILY_ACTUATOR: "response of the valve from tests whose setting changes";
     CHANGING_SETTING: "tests whose setting changes";
-    NO_ACTUATOR: "the {count} tests whose {setting} changes show no actuator: the force follows the command within their samples and their noise";
+    NO_ACTUATOR: "the {count|test|# tests} whose {setting} changes {count|shows|show} no actuator: the force follows the command within samples and noise";
     ACTUATOR_OPEN: "the records do not determine {names}: the values are those that valves usually show";
     FAMILY_SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all: at most {most} of each setting and {changing} whose setting changes. They have every amplitude, speed, mean displacement, temperature and side force. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_INTERVAL_BETWEEN: "{names}: no interval here, between two settings; a fit at three or more settings shows how far interpolation is off";
@@ -87,7 +87,7 @@ dashpot_messages::phrases! {
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";
     FAMILY_WITHOUT: "no {name} is stated by {tests} (tests: {count}). Leave them out with --exclude, name their column (--column setting=HEADING), or give it in campaign.toml under settings{unread}";
     FAMILY_ONE: "all tests at a constant {name} have the same, {value}: a model over it needs at least two. Fit them without --setting, or check the unit of its column";
-    FAMILY_ONLY_CHANGING: "the {name} of all {count} tests changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve";
+    FAMILY_ONLY_CHANGING: "the {name} of {count|the only test|all # tests} changes within the test: a damper over it is fitted to tests at two or more constant settings, and those that change identify its valve";
     FAMILY_TOO_MANY: "the tests have {count} values of {name}, and a model holds {most}: leave some out with --exclude or --hold-out, or state what was set in campaign.toml under [settings]";
     FAMILY_AT: "at {name} = {value}: {why}";
     FAMILY_KERNEL: "the settings make no model: {parameter} {why}";

@@ -9,6 +9,9 @@ use std::fmt;
 
 /// Message with its English text, which contains `{name}` as the placeholder of a value.
 ///
+/// `{name|one|other}` is a text that depends on a count: the second part if the value is 1, else the third. `#` in it is
+/// the count.
+///
 /// Only [`phrases!`](crate::phrases) makes templates, so that its list contains all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Template {
@@ -36,7 +39,8 @@ impl Template {
 
     /// Returns the names of the placeholders, in the order of the text and with repetitions.
     pub fn places(self) -> impl Iterator<Item = &'static str> {
-        self.english.split('{').skip(1).filter_map(|rest| rest.split_once('}').map(|(name, _)| name))
+        let inside = self.english.split('{').skip(1).filter_map(|rest| rest.split_once('}').map(|(inside, _)| inside));
+        inside.map(|inside| inside.split('|').next().unwrap_or(inside))
     }
 
     /// Formats the English text with these values.
@@ -44,8 +48,14 @@ impl Template {
         let (mut text, mut rest) = (String::new(), self.english);
         while let Some((before, after)) = rest.split_once('{') {
             text += before;
-            let (name, behind) = after.split_once('}').unwrap_or((after, ""));
-            text += values.iter().find(|(n, _)| *n == name).map_or("", |(_, value)| value);
+            let (inside, behind) = after.split_once('}').unwrap_or((after, ""));
+            let mut parts = inside.split('|');
+            let name = parts.next().unwrap_or(inside);
+            let value = values.iter().find(|(n, _)| *n == name).map_or("", |(_, value)| value);
+            text += &match (parts.next(), parts.next()) {
+                (Some(one), Some(other)) => (if value == "1" { one } else { other }).replace('#', value),
+                _ => value.to_owned(),
+            };
             rest = behind;
         }
         text + rest
@@ -311,6 +321,15 @@ mod tests {
         fn value(&self, place: &str, value: &str) -> String {
             if is_number(place, value) { value.replace('.', ",") } else { value.to_owned() }
         }
+    }
+
+    #[test]
+    fn a_count_selects_a_part_of_an_english_text() {
+        const READ: Template = Template::listed("r", "{n|# test was|# tests were} read {all|at once|in # parts}{n}");
+        let of = |n: usize, all: &str| Sentence::from(READ).with("n", n).with("all", all).to_string();
+        assert_eq!(of(1, "1"), "1 test was read at once1");
+        assert_eq!(of(12, "0"), "12 tests were read in 0 parts12");
+        assert_eq!(READ.places().collect::<Vec<_>>(), ["n", "all", "n"]);
     }
 
     #[test]

@@ -63,7 +63,10 @@ verdict-exact = das Modell folgt der Messung genau
 verdict-smaller = der mittlere Fehler des Modells ist um den Faktor { $ratio } kleiner
 verdict-same = das Modell ist nicht nennenswert besser als die Kurve
 verdict-larger = der mittlere Fehler des Modells ist um den Faktor { $ratio } größer: es ist schlechter als die Kurve
-closer-in = , und es liegt in { $closer } von { $tests } Versuchen näher an der Messung
+closer-in = , und es liegt in { $closer } von { $tests ->
+        [one] { $tests } Versuch
+       *[other] { $tests } Versuchen
+    } näher an der Messung
 left-out-figures = { $error } N oder { $percent } % (Kurve allein { $curve_error } N oder { $curve_percent } %)
 left-out-sentence = { $left ->
         [one] In dem Versuch, den
@@ -84,7 +87,10 @@ matrix-section = Fehler nach Amplitude und Spitzengeschwindigkeit
 key-section = Fehler in Zahlen
 tests-section = Fehler jedes Versuchs
 single-section = Einzelne Versuche
-single-about = Nach Fehler geordnet, der schlechteste zuerst. Schleifen zeigen die letzten { $cycles } ganzen Zyklen; ein Versuch ohne ganze Zyklen wird ganz gezeigt. Fehler sind berechnet minus gemessen. Der Abstand der Hysterese ist über alle ganzen Zyklen gemittelt.
+single-about = Nach Fehler geordnet, der schlechteste zuerst. Schleifen zeigen { $cycles ->
+        [one] den letzten ganzen Zyklus
+       *[other] die letzten { $cycles } ganzen Zyklen
+    }; ein Versuch ohne ganze Zyklen wird ganz gezeigt. Fehler sind berechnet minus gemessen. Der Abstand der Hysterese ist über alle ganzen Zyklen gemittelt.
 single-most = Von { $tests } Versuchen sind die { $shown } mit den größten Fehlern gezeigt.
 hysteresis-section = Hysterese
 identification-section = Identifikation
@@ -150,7 +156,10 @@ assumed-held = die Messungen bestimmen ihn nicht; er liegt zwischen üblichem un
 ## Single tests.
 
 notes-of-test = Beim Einlesen und Bereinigen geändert oder bemerkt:
-motion-periodic = { $amplitude } mm Amplitude bei { $frequency } Hz, Spitzengeschwindigkeit { $velocity } mm/s, { $cycles } ganze Zyklen.
+motion-periodic = { $amplitude } mm Amplitude bei { $frequency } Hz, Spitzengeschwindigkeit { $velocity } mm/s, { $cycles ->
+        [one] { $cycles } ganzer Zyklus
+       *[other] { $cycles } ganze Zyklen
+    }.
 motion-other = Nicht periodisch, Spitzengeschwindigkeit { $velocity } mm/s.
 temperature = Temperatur { $first } °C am Anfang, { $last } °C am Ende.
 force-noise = Rauschen der Kraft { $noise } N effektiv.
@@ -242,10 +251,31 @@ certificate-title = Prüfbescheinigung: Dämpfer gegen seine Grenzwerte
 certificate-subtitle = Messungen in { $data }, Grenzwerte aus { $limits }
 certificate-section = Grenzwerte
 certificate-pass = BESTANDEN. Der Dämpfer hält alle Grenzwerte ein ({ $count }).
-certificate-fail = NICHT BESTANDEN. Der Dämpfer hält { $failed } von { $count } Grenzwerten nicht ein.
-certificate-fail-untested = NICHT BESTANDEN. { $failed } von { $tested } geprüften Grenzwerten sind nicht eingehalten; { $untested } weitere waren mit diesen Messungen nicht prüfbar: { $why }.
-certificate-untested = UNVOLLSTÄNDIG. Die { $tested } geprüften Grenzwerte sind eingehalten; { $untested } weitere waren mit diesen Messungen nicht prüfbar: { $why }.
-certificate-nothing-tested = UNVOLLSTÄNDIG. Keiner der { $count } Grenzwerte war mit diesen Messungen prüfbar: { $why }.
+certificate-fail = NICHT BESTANDEN. Der Dämpfer hält { $failed } von { $count ->
+        [one] { $count } Grenzwert
+       *[other] { $count } Grenzwerten
+    } nicht ein.
+certificate-fail-untested = NICHT BESTANDEN. { $failed } von { $tested ->
+        [one] { $tested } geprüften Grenzwert
+       *[other] { $tested } geprüften Grenzwerten
+    } { $failed ->
+        [one] ist
+       *[other] sind
+    } nicht eingehalten; { $untested ->
+        [one] { $untested } weiterer war
+       *[other] { $untested } weitere waren
+    } mit diesen Messungen nicht prüfbar: { $why }.
+certificate-untested = UNVOLLSTÄNDIG. { $tested ->
+        [one] Der geprüfte Grenzwert ist
+       *[other] Die { $tested } geprüften Grenzwerte sind
+    } eingehalten; { $untested ->
+        [one] { $untested } weiterer war
+       *[other] { $untested } weitere waren
+    } mit diesen Messungen nicht prüfbar: { $why }.
+certificate-nothing-tested = UNVOLLSTÄNDIG. { $count ->
+        [one] Der Grenzwert war mit diesen Messungen nicht
+       *[other] Keiner der { $count } Grenzwerte war mit diesen Messungen
+    } prüfbar: { $why }.
 certificate-why-untested = es fehlt ein Versuch bei dieser Geschwindigkeit oder einer, der für Reibung und Gaskraft langsam genug ist
 certificate-why-untested-at-setting = es fehlt ein Versuch bei dieser Geschwindigkeit und Einstellung, einer, der für Reibung und Gaskraft langsam genug ist, oder ein solcher Sprung der Einstellung
 certificate-unsure = { $verdict }, nicht sicher: die gemessene Zeit ist auf ± { $value } ms bekannt
@@ -253,7 +283,10 @@ certificate-damping = { $verdict }; { $value } N davon wachsen mit der Geschwind
 certificate-interpolated = { $tests }, interpoliert
 certificate-step = Sprung von { $from } auf { $to }: { $tests }
 certificate-model-passes = Das Modell kommt bei jedem Grenzwert zum selben Urteil.
-certificate-model-fails = Das Modell kommt bei { $count } der Grenzwerte zu einem anderen Urteil als die Messung; eine Simulation zeigt dort also einen anderen Dämpfer.
+certificate-model-fails = Das Modell kommt bei { $count ->
+        [one] einem
+       *[other] { $count }
+    } der Grenzwerte zu einem anderen Urteil als die Messung; eine Simulation zeigt dort also einen anderen Dämpfer.
 certificate-caption = Kräfte gelten bei Spitzengeschwindigkeit, gemittelt über die Zyklen des Versuchs mit dem längsten Hub, der die Geschwindigkeit erreicht; zwischen zwei Versuchen, deren Geschwindigkeiten sich höchstens um den Faktor { $ratio } unterscheiden, wird linear interpoliert, sonst gilt ein Versuch innerhalb von { $percent } % der Geschwindigkeit. Zugstufe und Zugkraft zählen positiv, die Druckstufe negativ. Gaskraft und Reibung sind Mittel und halber Unterschied der Hübe langsamer Versuche. Hysterese ist der mittlere Abstand zwischen steigender und fallender Geschwindigkeit bei gleicher Geschwindigkeit.
 subject-part = Teil: { $text }
 subject-serial = Seriennummer: { $text }
@@ -285,7 +318,10 @@ made-command = Befehl: { $command }
 made-again = Gleiche Version, gleicher Befehl und gleiche Dateien geben wieder die gleichen Zahlen. Die Prüfsumme ist SHA-256, wie sha256sum sie zeigt.
 col-file = Datei
 col-bytes = Bytes
-made-all = Alle { $count } Dateien zusammen: SHA-256 { $hash } (der Zeilen, die sha256sum von ihnen in dieser Reihenfolge zeigt).
+made-all = { $count ->
+        [one] Die Datei
+       *[other] Alle { $count } Dateien zusammen
+    }: SHA-256 { $hash } (der Zeilen, die sha256sum von ihnen in dieser Reihenfolge zeigt).
 made-files = Gelesene Dateien.
 
 ## Manoeuvres.
@@ -417,7 +453,10 @@ nothing-stays = Das Modell bleibt, wie es ist; nur seine Zahlen wurden neu angep
 changed-stays = Das Modell behält seine Form; seine Zahlen sind jetzt die dieses Dämpfers.
 nothing-added-rivals = Es wurde nichts hinzugefügt: unter Namen zu raten, die die Messung gleich gut erklären, wäre wertlos. Die möglichen Ursachen stehen unten, ebenso die Versuche, die entscheiden würden.
 nothing-added-unknown = Es wurde nichts hinzugefügt: die Abweichung ist unten ohne Namen beschrieben. Ihr Verlauf über Geschwindigkeit, Weg und Zeit zeigt, wonach am Dämpfer oder am Prüfstand zu suchen ist.
-worse-tests = { $count } von { $all } zurückgehaltenen Versuchen weichen stärker ab als vorher, zum Beispiel { $test }.
+worse-tests = { $count } von { $all } zurückgehaltenen Versuchen { $count ->
+        [one] weicht
+       *[other] weichen
+    } stärker ab als vorher, zum Beispiel { $test }.
 row-before = vorher (das gegebene Modell, neu angepasst)
 col-fitted-rms = angepasste Versuche, N effektiv
 col-their-noise = deren Rauschen, N effektiv
@@ -1018,7 +1057,10 @@ records-or = { " " }oder{ " " }
 
 records-profile = nach { $file } gelesen
 records-stray = in { $folder } nicht als Messungen gelesen: { $names }
-records-below = die Unterordner von { $folder } enthalten { $count } Dateien, die nicht gelesen wurden ({ $names }); sind es Versuche am selben Dämpfer, so liest --subfolders auch sie
+records-below = die Unterordner von { $folder } enthalten { $count ->
+        [one] { $count } Datei, die nicht gelesen wurde
+       *[other] { $count } Dateien, die nicht gelesen wurden
+    } ({ $names }); sind es Versuche am selben Dämpfer, so liest --subfolders auch sie
 records-columns-not-read = nicht gelesene Spalten: { $names }
 records-by-unit = „{ $column }“ wird allein wegen der Einheit als { $channel } gelesen; ist eine andere Spalte gemeint, sagt es --column
 records-converted = in SI umgerechnet: { $channels }
@@ -1030,28 +1072,58 @@ records-dates-close = denn so liegen die Versuche nahe beieinander
 records-dates-american = mit dem Monat zuerst, wie zwischen Schrägstrichen in Amerika
 records-dates-usual = mit dem Tag zuerst, wie zwischen Bindestrichen üblich
 records-own-clocks = jede Messung hat ihre eigene Uhr, so dass Wärme und Driften nicht von Datei zu Datei reichen: { $why }
-records-some-without-date = nur { $count } von { $all } Dateien nennen den Beginn des Versuchs
+records-some-without-date = nur { $count } von { $all } Dateien { $count ->
+        [one] nennt
+       *[other] nennen
+    } den Beginn des Versuchs
 records-too-far-apart = nach den Zeiten in ihren Dateien liegen sie für eine Messreihe zu weit auseinander
 records-clocks-overlap = nach den Zeiten in ihren Dateien überlappen sie sich; das können die Zeiten eines Exports sein
 records-two-rates = in einer eigenen Gruppe mit höherer Rate gemessen und linear auf die Zeiten der langsameren Kanäle gelegt: { $names }
-records-cut-off = die Datei brach beim Schreiben ab, daher fehlen Daten am Ende; die { $rows } vollständigen Zeilen davor wurden gelesen. Den Versuch neu messen, falls er länger sein sollte
-records-stale-rows = die ersten { $count } Zeilen (bis Zeile { $line }) gehören zu einem früheren Lauf, denn danach springt die Zeit von { $from } s auf { $to } s zurück; sie wurden weggelassen
+records-cut-off = die Datei brach beim Schreiben ab, daher fehlen Daten am Ende; { $rows ->
+        [one] die vollständige Zeile davor wurde
+       *[other] die { $rows } vollständigen Zeilen davor wurden
+    } gelesen. Den Versuch neu messen, falls er länger sein sollte
+records-stale-rows = { $count ->
+        [one] die erste Zeile (bis Zeile { $line }) gehört
+       *[other] die ersten { $count } Zeilen (bis Zeile { $line }) gehören
+    } zu einem früheren Lauf, denn danach springt die Zeit von { $from } s auf { $to } s zurück; weggelassen
 records-crank = die Zeit ist aus dem Kurbelwinkel bei { $rpm } Umdrehungen pro Minute berechnet
 records-resampled = mit anderer Rate gemessen und durch gerade Linien auf die Zeiten von Kraft und Bewegung gebracht: { $names }
 records-below-heading = Zeile { $line } unter der Überschrift enthält keine Zahlen: { $text }
 records-below-table = ab Zeile { $line }, unter der Tabelle, nicht gelesen: { $text }
-records-between-rows = { $count } Zeilen zwischen den Messwerten enthalten keine Zahlen und wurden übergangen (Zeile { $lines }), die erste: { $text }
-records-behind-rows = { $count } Zeilen enthalten hinter den Spalten der Überschrift Text, der nicht gelesen wurde (Zeile { $lines }), der erste: { $text }
-records-longer-rows = { $count } Zeilen enthalten mehr Zahlen, als die Überschrift Spalten hat, sodass nicht sicher ist, welche wohin gehört; diese Zeilen sind weggelassen (Zeile { $lines }). Zu viel in der ersten: { $text }
+records-between-rows = { $count ->
+        [one] { $count } Zeile zwischen den Messwerten enthält keine Zahlen und wurde
+       *[other] { $count } Zeilen zwischen den Messwerten enthalten keine Zahlen und wurden
+    } übergangen (Zeile { $lines }), die erste: { $text }
+records-behind-rows = { $count ->
+        [one] { $count } Zeile enthält
+       *[other] { $count } Zeilen enthalten
+    } hinter den Spalten der Überschrift Text, der nicht gelesen wurde (Zeile { $lines }), der erste: { $text }
+records-longer-rows = { $count ->
+        [one] { $count } Zeile enthält
+       *[other] { $count } Zeilen enthalten
+    } mehr Zahlen, als die Überschrift Spalten hat, sodass nicht sicher ist, welche wohin gehört; { $count ->
+        [one] diese Zeile ist
+       *[other] diese Zeilen sind
+    } weggelassen (Zeile { $lines }). Zu viel in der ersten: { $text }
 
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file }: { $text }
-records-gaps = Lücken in der Zeit: { $places }{ $more }. Als { $count } Versuche gelesen{ $rest }
+records-gaps = Lücken in der Zeit: { $places }{ $more }. Als { $count ->
+        [one] { $count } Versuch
+       *[other] { $count } Versuche
+    } gelesen{ $rest }
 records-gap = { $seconds } s ohne Messwerte nach { $from } s (Zeile { $line })
 records-more-gaps = { " " }und { $count } weitere
-records-too-few-between = ; { $count } Messwerte zwischen Lücken sind zu wenige für einen Versuch
-records-stumps = { $count } Stücke neben einer Lücke enthalten keinen ganzen Zyklus und wurden weggelassen: { $places }
+records-too-few-between = ; { $count ->
+        [one] { $count } Messwert zwischen Lücken ist zu wenig
+       *[other] { $count } Messwerte zwischen Lücken sind zu wenige
+    } für einen Versuch
+records-stumps = { $count ->
+        [one] { $count } Stück neben einer Lücke enthält keinen ganzen Zyklus und wurde
+       *[other] { $count } Stücke neben einer Lücke enthalten keinen ganzen Zyklus und wurden
+    } weggelassen: { $places }
 records-from-to = { $from } bis { $to } s
 records-at-speeds = { $count } Versuche hintereinander, Hübe konstanter Geschwindigkeit, getrennt, wo sich die Geschwindigkeit ändert; die Uhr läuft weiter, sodass Wärme übertragen wird
 records-speed-of-strokes = die Geschwindigkeit ist die des ganzen Hubs, denn ein Hub hat zu wenige Messwerte für einen Verlauf
@@ -1061,22 +1133,61 @@ records-at-rests = { $count } Versuche hintereinander, an den Ruhezeiten dazwisc
 ## What reading says of records. Rows.
 
 records-rows-dropped = { $count } von { $rows } Zeilen wegen leerer Zellen oder solcher ohne Zahl weggelassen (Zeile { $lines })
-records-setting-held = { $count } von { $rows } Werten der Einstellung ‚{ $setting }‘ fehlen; jeder gilt als der vor ihm
+records-setting-held = { $count } von { $rows } Werten der Einstellung ‚{ $setting }‘ { $count ->
+        [one] fehlt
+       *[other] fehlen
+    }; jeder gilt als der vor ihm
 records-setting-start = die Einstellung „{ $setting }“ ist { $seconds } s lang auf dem Weg zu ihrem Wert; dieser Anfang wurde abgeschnitten
 records-setting-empty = die Spalte der Einstellung ‚{ $setting }‘ ist leer: der Versuch gilt als einer ohne sie, oder wie sein Name sagt
 records-unread-current = die Spalte „{ $column }“ in { $unit } wird nicht gelesen; ist sie der Strom des Dämpferventils, so geben Sie --column current='{ $column }' an, sonst --ignore current
 records-small-current = der Strom beträgt höchstens { $current } mA und gilt als 0 A, denn darauf antwortet kein Ventil; stehen in der Spalte A, so geben Sie --unit current=A an
-records-filled = { $count } fehlende Werte im Kanal { $channel } durch Geraden ergänzt
+records-filled = { $count ->
+        [one] { $count } fehlender Wert
+       *[other] { $count } fehlende Werte
+    } im Kanal { $channel } durch Geraden ergänzt
 records-empty-column = die Spalte des Kanals { $channel } ist leer und wurde weggelassen
-records-repeated-rows = { $count } Zeilen in { $blocks } Blöcken wiederholen frühere Zeilen samt Zeitstempel, zuerst in Zeile { $line }; entfernt
-records-repeated-blocks = { $blocks } Blöcke, zusammen { $rows } Zeilen, wiederholen die Zeilen unmittelbar davor unter neuen Zeitstempeln (der erste: { $first } Zeilen ab Zeile { $line }); entfernt und die Zeit dahinter aufgeschlossen
-records-out-of-order = die Zeit sprang { $count }-mal zurück, zuerst in Zeile { $line }; { $moved } Zeilen wieder eingeordnet
-records-shared-stamps = { $count } von { $rows } Zeilen hatten den Zeitstempel der Zeile davor; sie wurden gleichmäßig bis zum nächsten verteilt
+records-repeated-rows = { $count ->
+        [one] { $count } Zeile
+       *[other] { $count } Zeilen
+    } in { $blocks ->
+        [one] { $blocks } Block
+       *[other] { $blocks } Blöcken
+    } { $count ->
+        [one] wiederholt eine frühere Zeile
+       *[other] wiederholen frühere Zeilen
+    } samt Zeitstempel, zuerst in Zeile { $line }; entfernt
+records-repeated-blocks = { $blocks ->
+        [one] { $blocks } Block
+       *[other] { $blocks } Blöcke
+    }, zusammen { $rows ->
+        [one] { $rows } Zeile
+       *[other] { $rows } Zeilen
+    }, { $blocks ->
+        [one] wiederholt
+       *[other] wiederholen
+    } die Zeilen unmittelbar davor unter neuen Zeitstempeln (der erste: { $first ->
+        [one] { $first } Zeile
+       *[other] { $first } Zeilen
+    } ab Zeile { $line }); entfernt und die Zeit dahinter aufgeschlossen
+records-out-of-order = die Zeit sprang { $count }-mal zurück, zuerst in Zeile { $line }; { $moved ->
+        [one] { $moved } Zeile
+       *[other] { $moved } Zeilen
+    } wieder eingeordnet
+records-shared-stamps = { $count } von { $rows } Zeilen { $count ->
+        [one] hatte
+       *[other] hatten
+    } den Zeitstempel der Zeile davor; sie { $count ->
+        [one] wurde
+       *[other] wurden
+    } gleichmäßig bis zum nächsten verteilt
 
 ## What reading says of records. Samples.
 
 records-clipped-motion = der Kanal { $channel } ist in { $percent } % der Messwerte bei { $value } { $unit } abgeschnitten, zuerst in Zeile { $line }; er wird weggelassen und aus dem Kanal { $other } gewonnen
-records-rounded = { $channel } steht bei { $value } { $unit } in { $count } Messwerten, zuerst in Zeile { $line }; andere Versuche gehen weiter, sodass dies als Umkehr gilt und nicht als Ende des Messbereichs
+records-rounded = { $channel } steht bei { $value } { $unit } in { $count ->
+        [one] { $count } Messwert
+       *[other] { $count } Messwerten
+    }, zuerst in Zeile { $line }; andere Versuche gehen weiter, sodass dies als Umkehr gilt und nicht als Ende des Messbereichs
 records-clipped-force = die Kraft ist bei { $value } N abgeschnitten, zuerst in Zeile { $line } (Messwerte: { $count }, { $percent } %); diese Messwerte sind weggelassen
 records-spiky = der Kanal { $channel } ist voller Spitzen: { $percent } % der Messwerte heben sich von ihren Nachbarn ab; zu viele für einzelne Störspitzen, so gelassen
 records-spikes = Störspitzen des Kanals { $channel } durch Geraden ersetzt, die erste in Zeile { $line }, die größte um { $largest } { $unit } zu weit (Störspitzen: { $spikes }, Messwerte: { $count })
@@ -1108,12 +1219,33 @@ records-taken-out = was die Identifikation als Fehler der Messung fand, ist hera
 
 ## What reading says of records. Cycles.
 
-records-no-cycles = keine ganzen Zyklen gefunden; die Messung bleibt ganz ({ $samples } Messwerte)
-records-trimmed = { $before } s ({ $samples_before } Messwerte) Ruhe und Anlauf vor dem ersten ganzen Zyklus und { $after } s ({ $samples_after } Messwerte) nach dem letzten ({ $tail }) abgeschnitten; { $cycles } Zyklen bei { $frequency } Hz bleiben
+records-no-cycles = keine ganzen Zyklen gefunden; die Messung bleibt ganz ({ $samples ->
+        [one] { $samples } Messwert
+       *[other] { $samples } Messwerte
+    })
+records-trimmed = { $before } s ({ $samples_before ->
+        [one] { $samples_before } Messwert
+       *[other] { $samples_before } Messwerte
+    }) Ruhe und Anlauf vor dem ersten ganzen Zyklus und { $after } s ({ $samples_after ->
+        [one] { $samples_after } Messwert
+       *[other] { $samples_after } Messwerte
+    }) nach dem letzten ({ $tail }) abgeschnitten; { $cycles ->
+        [one] { $cycles } Zyklus
+       *[other] { $cycles } Zyklen
+    } bei { $frequency } Hz { $cycles ->
+        [one] bleibt
+       *[other] bleiben
+    }
 records-unlike-cycles = an { $places } Stellen zwischen den Zyklen ist die Bewegung kein ganzer Zyklus wie die anderen (Pause oder Störung); sie bleibt in der Messung, zählt aber nicht zu den Zyklen
 records-noisy-last = der letzte Zyklus (ab { $start } s) weicht von den anderen um { $last } N effektiv ab, diese untereinander um { $typical } N; weggelassen
-records-displacement-drifts = der mittlere Weg wandert über { $cycles } Zyklen um { $drift } mm ({ $percent } % des Hubs); so gelassen
-records-force-drifts = die mittlere Kraft wandert über { $cycles } Zyklen um { $drift } N ({ $percent } % ihrer Spanne); so gelassen
+records-displacement-drifts = der mittlere Weg wandert über { $cycles ->
+        [one] { $cycles } Zyklus
+       *[other] { $cycles } Zyklen
+    } um { $drift } mm ({ $percent } % des Hubs); so gelassen
+records-force-drifts = die mittlere Kraft wandert über { $cycles ->
+        [one] { $cycles } Zyklus
+       *[other] { $cycles } Zyklen
+    } um { $drift } N ({ $percent } % ihrer Spanne); so gelassen
 
 ## What reading says of records. Figures that no damper has.
 
@@ -1128,7 +1260,10 @@ records-twins = { $test } enthält dieselben Messwerte wie { $twin } und zählt 
 
 records-late = die Kraft kommt etwa { $delay } ms nach der Bewegung: so genommen lässt eine Kurve über der Geschwindigkeit { $left } % ihrer Varianz unerklärt, wie aufgezeichnet { $recorded } %
 records-late-not-moved = { $late }{ $energy }. Hysterese sieht hier wie eine Verzögerung aus, deshalb wurde nichts verschoben. dashpot fit trennt beide und meldet die Verzögerung, die es findet; der Rest ist Hysterese des Dämpfers. { $option } nur angeben, wenn der Prüfstand die Kraft bekanntlich um so viel verzögert
-records-would-feed = ; wie aufgezeichnet gäbe der Dämpfer in { $count } von { $all } Versuchen Energie ab
+records-would-feed = ; wie aufgezeichnet gäbe der Dämpfer in { $count } von { $all ->
+        [one] { $all } Versuch
+       *[other] { $all } Versuchen
+    } Energie ab
 
 ## What reading says of records. The direction that the files count positive.
 
@@ -1171,7 +1306,10 @@ records-against-given = { $direction } positiv war angegeben, aber die Daten spr
 records-left-out = weggelassen: { $fault }
 records-no-record = weggelassen, da keine Messung: { $fault }
 records-first-and-more = { $first }; { $count } weitere
-records-more-left-out = { $count } weitere Dateien und Versuche wurden weggelassen
+records-more-left-out = { $count ->
+        [one] { $count } weitere Datei oder weiterer Versuch wurde
+       *[other] { $count } weitere Dateien und Versuche wurden
+    } weggelassen
 
 ## What reading says of records. Faults of files.
 
@@ -1185,7 +1323,10 @@ records-mat = { $file }: lässt sich nicht als MAT-Datei lesen ({ $cause }); neu
 records-no-header = { $at }: keine Kopfzeile gefunden, die Zeit und andere Kanäle nennt; die erste Zeile lautet „{ $found }“.{ $near }
 records-best-line = { " " }Am besten verstanden wird Zeile { $line }, mit { $known }; eine Kopfzeile braucht zwei Spalten, die verstanden werden.
 records-taken-for = „{ $column }“ für { $channel }
-records-figures-alone = { " " }Sie enthält { $count } Spalten Zahlen ohne Überschriften: Sagen Sie alles auf einmal, welche was ist, mit ihren Nummern, und in welchen Einheiten, etwa { $options }.
+records-figures-alone = { " " }Sie enthält { $count ->
+        [one] { $count } Spalte Zahlen
+       *[other] { $count } Spalten Zahlen
+    } ohne Überschriften: Sagen Sie alles auf einmal, welche was ist, mit ihren Nummern, und in welchen Einheiten, etwa { $options }.
 records-no-data = { $at }: hat eine Kopfzeile, aber keine Zeilen mit Daten
 
 ## What reading says of records. What is wrong with what was asked for.
@@ -1198,11 +1339,17 @@ records-too-large = { $file }: hat { $size }, gelesen werden Dateien bis { $larg
 records-too-costly = { $at }: wird entpackt größer, als eine Datei dieser Größe werden darf; als CSV neu speichern oder in einzelne Versuche teilen
 records-too-many-columns = { $at }, Zeile { $line }: hat { $found } Spalten, mehr als die { $most }, die eine Messung haben darf; nur die nötigen speichern
 records-empty-folder = { $folder }: enthält keine Messung; ein Ordner mit Messungen enthält { $kinds }
-records-in-subfolders = { $folder }: enthält selbst keine Messung; { $count } Dateien liegen in seinen Unterordnern: { $names }. Sind das Versuche an einem Dämpfer, so liest --subfolders sie als eine Messreihe; ist jeder ein eigener Dämpfer, einen davon nennen oder sie mit dashpot diagnose --group folders vergleichen
+records-in-subfolders = { $folder }: enthält selbst keine Messung; { $count ->
+        [one] { $count } Datei liegt
+       *[other] { $count } Dateien liegen
+    } in seinen Unterordnern: { $names }. Sind das Versuche an einem Dämpfer, so liest --subfolders sie als eine Messreihe; ist jeder ein eigener Dämpfer, einen davon nennen oder sie mit dashpot diagnose --group folders vergleichen
 records-kinds = { $others } und { $last }
 records-no-paths = keine Messung angegeben; eine Messdatei oder einen Ordner mit Messungen nennen
 records-excludes-nothing = --exclude { $pattern } trifft keine Datei und keinen Versuch; die erste Datei heißt { $first }
-records-excludes-all = --exclude lässt keine Messung übrig; alle { $count } Dateien und Versuche treffen zu
+records-excludes-all = --exclude lässt keine Messung übrig; { $count ->
+        [one] die einzige Datei oder der einzige Versuch trifft
+       *[other] alle { $count } Dateien und Versuche treffen
+    } zu
 records-profiles-disagree = { $first } und { $second } nennen verschiedene Richtungen positiv; beide angleichen oder --positive angeben
 records-indispensable = { $channel } kann in Messungen nicht fehlen; bei --ignore wegnehmen
 records-in-line = { $at }, Zeile { $line }: { $cause }
@@ -1212,7 +1359,10 @@ records-in-line = { $at }, Zeile { $line }: { $cause }
 records-understood = { $header } Verstanden werden: { $understood }. Andere Überschriften nennt --column force="Load Cell 1"
 records-swapped = { $at }: die Überschriften „{ $first }“ und „{ $second }“ scheinen vertauscht: { $evidence }. Die Kopfzeile berichtigen oder --column { $of_first }="{ $second }" --column { $of_second }="{ $first }" angeben (und --unit, wo auch die Einheit vertauscht ist); sind sie richtig, darauf mit --unit { $of_first }=... bestehen
 records-wrong-unit = { $evidence }; das spricht für { $likely }, als { $written } geschrieben. --unit { $channel }={ $likely } angeben, oder mit --unit { $channel }={ $written } darauf bestehen
-records-files-unit = { $count } von { $all } Versuchen passen nicht zu den anderen, und zwar so, wie es eine Einheit erklärt: { $tests }. { $test } zeigt ±{ $force } N bei { $velocity } mm/s, die anderen ±{ $usual } N bei { $there } mm/s; das spricht für { $likely }, als { $written } geschrieben.{ $either }{ $labels } Die Überschrift der falschen Dateien berichtigen, oder sie in einen eigenen Ordner legen, einmal dashpot import-profile ORDNER --unit { $channel }={ $first } aufrufen und beide Ordner nennen. Oder sie mit --exclude weglassen; oder mit --unit { $channel }={ $written } darauf bestehen, dass alle Dateien in { $written } sind
+records-files-unit = { $count } von { $all } Versuchen { $count ->
+        [one] passt
+       *[other] passen
+    } nicht zu den anderen, und zwar so, wie es eine Einheit erklärt: { $tests }. { $test } zeigt ±{ $force } N bei { $velocity } mm/s, die anderen ±{ $usual } N bei { $there } mm/s; das spricht für { $likely }, als { $written } geschrieben.{ $either }{ $labels } Die Überschrift der falschen Dateien berichtigen, oder sie in einen eigenen Ordner legen, einmal dashpot import-profile ORDNER --unit { $channel }={ $first } aufrufen und beide Ordner nennen. Oder sie mit --exclude weglassen; oder mit --unit { $channel }={ $written } darauf bestehen, dass alle Dateien in { $written } sind
 records-or-the-others = { " " }Sind diese richtig, so sind umgekehrt die anderen falsch: { $others }.
 records-or-labels = { " " }Haben die Versuche mehrere Einstellungen, kann das auch an falschen Angaben liegen: diese zuerst prüfen.
 records-labels-deviate = die Kräfte von { $count } der { $all } Versuche widersprechen den anderen Versuchen bei ihrer Angabe { $name } und passen zu denen bei einer anderen: { $groups }. { $advice }
@@ -1243,11 +1393,17 @@ records-displacement-rougher = die als Weg gelesene Spalte ist { $times }-mal ra
 ## What reading says of records. What speaks for another unit.
 
 records-too-quick = { $record } würde sich { $seconds } s lang um ±{ $amplitude } mm bei { $frequency } Hz bewegen
-records-too-long = der schnellste von { $count } Versuchen erreichte { $velocity } mm/s, der längste dauerte { $hours } h, mit einem Abtastwert alle { $step } s
+records-too-long = { $count ->
+        [one] der einzige Versuch
+       *[other] der schnellste von { $count } Versuchen
+    } erreichte { $velocity } mm/s, der längste dauerte { $hours } h, mit einem Abtastwert alle { $step } s
 records-too-stiff = kein Versuch bewegte sich um mehr als ±{ $amplitude } mm, und { $force } N bei { $velocity } mm/s wären eine Dämpfung von { $damping } N s/m
 records-mixed-current = { $record }: der Strom des Dämpferventils erreichte { $current } A, in den anderen Versuchen höchstens { $others } A; das spricht für mA unter einer Überschrift in A. Die Überschrift dieser Datei berichtigen oder sie mit --exclude '{ $test }' weglassen; --unit current=A, wenn es dabei bleiben soll
 records-too-much-current = der Strom des Dämpferventils erreichte { $current } A
-records-too-weak = der stärkste von { $count } Versuchen zeigte ±{ $strongest } N, und { $test } ±{ $force } N bei { $velocity } mm/s, eine Dämpfung von { $damping } N s/m
+records-too-weak = { $count ->
+        [one] der einzige Versuch
+       *[other] der stärkste von { $count } Versuchen
+    } zeigte ±{ $strongest } N, und { $test } ±{ $force } N bei { $velocity } mm/s, eine Dämpfung von { $damping } N s/m
 
 ## What reading says of records. What no damper has.
 
@@ -1264,13 +1420,37 @@ records-say-n = enthält die Datei N, dies angeben: --unit force=N
 
 ## What reading says of records. All tests of a campaign.
 
-records-all-without-force = { $count } von { $all } Versuchen zeigen keine Kraft: in { $record } hebt sie sich nicht von ihrem Rauschen von { $noise } N ab, obwohl sich der Dämpfer bewegt. Kraftmessdose und Kanal prüfen (--column force="Überschrift")
+records-all-without-force = { $count } von { $all ->
+        [one] { $all } Versuch
+       *[other] { $all } Versuchen
+    } { $count ->
+        [one] zeigt
+       *[other] zeigen
+    } keine Kraft: in { $record } hebt sie sich nicht von ihrem Rauschen von { $noise } N ab, obwohl sich der Dämpfer bewegt. Kraftmessdose und Kanal prüfen (--column force="Überschrift")
 records-feeds-energy = der Dämpfer gäbe Energie in den Prüfstand ab, also ist ein Vorzeichen falsch: { $cause }
-records-few-feed = { $fewer } von { $count } Versuchen geben Energie ab, die anderen { $more } nicht: { $names }. { $apart }{ $also }
-records-few-take = { $fewer } von { $count } Versuchen nehmen Energie auf, die anderen { $more } nicht: { $names }. { $apart }{ $also }
+records-few-feed = { $fewer } von { $count } Versuchen { $fewer ->
+        [one] gibt
+       *[other] geben
+    } Energie ab, { $more ->
+        [one] der andere
+       *[other] die anderen { $more }
+    } nicht: { $names }. { $apart }{ $also }
+records-few-take = { $fewer } von { $count } Versuchen { $fewer ->
+        [one] nimmt
+       *[other] nehmen
+    } Energie auf, { $more ->
+        [one] der andere
+       *[other] die anderen { $more }
+    } nicht: { $names }. { $apart }{ $also }
 records-apart = Diese Dateien zählen Kraft oder Bewegung in einer anderen Richtung als die übrigen. Sie getrennt laden, mit --flip force oder --flip motion für die, die Energie abgeben, oder den Export berichtigen
-records-all-feed = in allen { $count } Versuchen mit deutlicher Schleife wirkt die Kraft in Richtung der Bewegung (Korrelation { $correlation }), also sind Kraft und Bewegung entgegengesetzt gezählt; { $culprit }{ $also }
-records-exchanged = Weg und Kraft sehen in { $count } von { $all } Versuchen vertauscht aus: { $names }. In { $test } verläuft die als Kraft gelesene Spalte wie ein Sinus, wie ihn ein Prüfstand fährt (ihre Oberwellen betragen { $of_force } %), die als Weg gelesene nicht ({ $of_displacement } %)
+records-all-feed = in { $count ->
+        [one] dem einzigen Versuch
+       *[other] allen { $count } Versuchen
+    } mit deutlicher Schleife wirkt die Kraft in Richtung der Bewegung (Korrelation { $correlation }), also sind Kraft und Bewegung entgegengesetzt gezählt; { $culprit }{ $also }
+records-exchanged = Weg und Kraft sehen in { $count } von { $all ->
+        [one] { $all } Versuch
+       *[other] { $all } Versuchen
+    } vertauscht aus: { $names }. In { $test } verläuft die als Kraft gelesene Spalte wie ein Sinus, wie ihn ein Prüfstand fährt (ihre Oberwellen betragen { $of_force } %), die als Weg gelesene nicht ({ $of_displacement } %)
 records-exchanged-feed = { $exchanged }; so gelesen gäbe der Dämpfer Energie in den Prüfstand ab. Geben Sie --column displacement="Überschrift" und --column force="Überschrift" umgekehrt an, und --unit, wo die Einheiten mitgehen. Betrifft es nur einige Dateien, legen Sie diese in einen eigenen Ordner, sagen Sie es dort mit dashpot import-profile, und nennen Sie beide Ordner
 records-exchanged-doubt = { $exchanged }. Wenn das so ist, stimmt nichts von dem, was folgt: Geben Sie --column displacement="Überschrift" und --column force="Überschrift" umgekehrt an, und lassen Sie --flip weg
 records-or-late = . Oder { $late }; dann { $option } angeben
@@ -1288,8 +1468,14 @@ records-several-motions = { $file }: enthält mehrere Versuche, „{ $first }“
 
 ## What reading says of records. Faults of tests.
 
-records-too-few = { $at }: hat nur { $samples } brauchbare Messwerte; ein Versuch braucht mindestens { $needed }, also neu messen
-records-missing = { $at }, Zeile { $line }: der Kanal { $channel } fehlt oder ist keine Zahl, hier und in insgesamt { $count } von { $rows } Zeilen; zu viele, um sie wegzulassen. Den Export reparieren{ $advice }
+records-too-few = { $at }: hat nur { $samples ->
+        [one] { $samples } brauchbaren Messwert
+       *[other] { $samples } brauchbare Messwerte
+    }; ein Versuch braucht mindestens { $needed }, also neu messen
+records-missing = { $at }, Zeile { $line }: der Kanal { $channel } fehlt oder ist keine Zahl, hier und in insgesamt { $count } von { $rows ->
+        [one] { $rows } Zeile
+       *[other] { $rows } Zeilen
+    }; zu viele, um sie wegzulassen. Den Export reparieren{ $advice }
 records-or-ignore = { " " }oder den Kanal mit --ignore { $channel } weglassen
 records-time-backwards = { $at }, Zeile { $line }: die Zeit springt von { $from } s auf { $to } s zurück. Enthält die Datei mehrere Versuche hintereinander, die Spalte, die sie unterscheidet, „test“ nennen oder die Datei teilen; sonst den fremden Block herausschneiden
 records-constant-time = { $at }: die Zeit läuft nicht, sie ist in jeder Zeile { $time } s; prüfen, ob die richtige Spalte als Zeit gelesen wird
@@ -1298,7 +1484,10 @@ records-clipped = { $at }, zuerst in Zeile { $line }: der Kanal { $channel } ist
 records-no-motion = { $at }: der Dämpfer bewegt sich nicht: der Kanal { $channel } zeigt nur Rauschen, innerhalb von { $range } { $unit }. Den Versuch neu messen oder, wenn er stehen soll, herausnehmen
 records-constant-force = { $at }: die Kraft ist in jeder Zeile { $value } N, während der Dämpfer sich bewegt; Kraftmessdose und Kabel prüfen und neu messen
 records-cell = { $at }, Zeile { $line }, Spalte „{ $column }“: „{ $text }“ ist keine Zahl{ $hint }
-records-fields = { $at }, Zeile { $line }: hat { $found } Felder, wo die Kopfzeile { $expected } hat{ $hint }
+records-fields = { $at }, Zeile { $line }: hat { $found ->
+        [one] { $found } Feld
+       *[other] { $found } Felder
+    }, wo die Kopfzeile { $expected } hat{ $hint }
 records-contradiction = { $at }: Weg und Geschwindigkeit widersprechen sich: { $cause }
 
 ## What reading says of records. What moves while a channel is frozen, and what to do.
@@ -1408,7 +1597,13 @@ identification-contradicts = { $name } widerspricht den Maßen des Dämpfers: { 
 
 identification-one-rate = alle Versuche kehren fast gleich schnell um, so dass ein später Kraftkanal und ein weicher Reihenpfad gleich aussehen: der Kanal gilt als unverzögert; derselbe Hub bei einem Drittel der Frequenz würde sie unterscheiden
 identification-one-test = in einem einzigen Versuch sehen ein später Kraftkanal und ein weicher Reihenpfad gleich aus: der Kanal gilt als unverzögert; derselbe Hub bei einem Drittel der Frequenz würde sie unterscheiden
-identification-roads = { $roads } lange Versuche ohne Zyklen werden in { $stretches } Abschnitten von je { $seconds } s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt
+identification-roads = { $roads ->
+        [one] { $roads } langer Versuch ohne Zyklen wird
+       *[other] { $roads } lange Versuche ohne Zyklen werden
+    } in { $stretches ->
+        [one] { $stretches } Abschnitt
+       *[other] { $stretches } Abschnitten
+    } von je { $seconds } s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt
 identification-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
 identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
 identification-one-amplitude = alle Versuche haben fast dieselbe Amplitude: Feder und Reihensteifigkeit beruhen allein auf der Frequenz
@@ -1461,7 +1656,13 @@ identification-family-joint = alle Einstellungen zusammen: was ihnen gemeinsam i
 identification-family-left-out = jede Einstellung aus den anderen vorhergesagt
 identification-family-actuator = Antwort des Ventils aus Versuchen mit veränderlicher Einstellung
 identification-changing-setting = Versuche mit veränderlicher Einstellung
-identification-no-actuator = die { $count } Versuche mit veränderlicher Einstellung ({ $setting }) zeigen keinen Steller: die Kraft folgt dem Befehl innerhalb von Abtastung und Rauschen
+identification-no-actuator = { $count ->
+        [one] der Versuch
+       *[other] die { $count } Versuche
+    } mit veränderlicher Einstellung ({ $setting }) { $count ->
+        [one] zeigt
+       *[other] zeigen
+    } keinen Steller: die Kraft folgt dem Befehl innerhalb von Abtastung und Rauschen
 identification-actuator-open = die Messungen bestimmen { $names } nicht: die Werte sind solche, wie Ventile sie meist zeigen
 identification-family-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, höchstens { $most } je Einstellung und { $changing } mit wechselnder Einstellung, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
 identification-no-interval-between = { $names }: hier, zwischen zwei Einstellungen, kein Intervall; erst drei oder mehr Einstellungen zeigen, wie weit die Interpolation abweicht
@@ -1476,7 +1677,10 @@ identification-family-unread = ; { $note }
 identification-family-other-setting = kein Versuch nennt { $name }; die Versuche haben eine Einstellung namens { $known }: --setting mit diesem Namen angeben
 identification-family-without = { $name } fehlt bei { $tests } (Versuche: { $count }). Mit --exclude weglassen, ihre Spalte nennen (--column setting=HEADING), oder in campaign.toml unter settings angeben{ $unread }
 identification-family-one = alle Versuche bei konstantem Wert von { $name } haben denselben, { $value }: ein Modell darüber braucht mindestens zwei. Ohne --setting anpassen, oder die Einheit der Spalte prüfen
-identification-family-only-changing = { $name } ändert sich in allen { $count } Versuchen: ein Dämpfer darüber wird an Versuche bei zwei oder mehr festen Einstellungen angepasst; veränderliche bestimmen sein Ventil
+identification-family-only-changing = { $name } ändert sich in { $count ->
+        [one] dem einzigen Versuch
+       *[other] allen { $count } Versuchen
+    }: ein Dämpfer darüber wird an Versuche bei zwei oder mehr festen Einstellungen angepasst; veränderliche bestimmen sein Ventil
 identification-family-too-many = die Versuche haben { $count } Werte von { $name }, und ein Modell fasst { $most }: einige mit --exclude oder --hold-out weglassen, oder in campaign.toml unter [settings] angeben, was eingestellt war
 identification-family-at = bei { $name } = { $value }: { $why }
 identification-family-kernel = die Einstellungen ergeben kein Modell: { $parameter } { $why }

@@ -63,7 +63,10 @@ verdict-exact = the model follows the measurement exactly
 verdict-smaller = the model's mean error is smaller by a factor of { $ratio }
 verdict-same = the model gains nothing worth having over the curve
 verdict-larger = the model's mean error is larger by a factor of { $ratio }: it does worse than the curve
-closer-in = , and it is the closer of the two in { $closer } of { $tests } tests
+closer-in = , and it is the closer of the two in { $closer } of { $tests ->
+        [one] { $tests } test
+       *[other] { $tests } tests
+    }
 left-out-figures = { $error } N or { $percent } % (curve alone { $curve_error } N or { $curve_percent } %)
 left-out-sentence = On the { $left ->
         [one] test
@@ -84,7 +87,10 @@ matrix-section = Errors by amplitude and peak velocity
 key-section = Errors in figures
 tests-section = Errors of every test
 single-section = Single tests
-single-about = Sorted by error, the worst first. Loops show the last { $cycles } whole cycles of a test; a test without whole cycles is shown whole. Errors are simulated minus measured. The hysteresis gap is averaged over all whole cycles.
+single-about = Sorted by error, the worst first. Loops show the last { $cycles ->
+        [one] whole cycle
+       *[other] { $cycles } whole cycles
+    } of a test; a test without whole cycles is shown whole. Errors are simulated minus measured. The hysteresis gap is averaged over all whole cycles.
 single-most = Of { $tests } tests the { $shown } with the largest errors are shown.
 hysteresis-section = Hysteresis
 identification-section = Identification
@@ -150,7 +156,10 @@ assumed-held = the records do not determine it; it lies between the usual value 
 ## Single tests.
 
 notes-of-test = What reading and cleaning did or noticed:
-motion-periodic = { $amplitude } mm amplitude at { $frequency } Hz, peak velocity { $velocity } mm/s, { $cycles } whole cycles.
+motion-periodic = { $amplitude } mm amplitude at { $frequency } Hz, peak velocity { $velocity } mm/s, { $cycles ->
+        [one] { $cycles } whole cycle
+       *[other] { $cycles } whole cycles
+    }.
 motion-other = Not periodic, peak velocity { $velocity } mm/s.
 temperature = Temperature { $first } °C at the start, { $last } °C at the end.
 force-noise = Force noise { $noise } N rms.
@@ -242,10 +251,25 @@ certificate-title = Certificate: damper against its limits
 certificate-subtitle = Rig data in { $data }, limits of { $limits }
 certificate-section = Limits
 certificate-pass = PASS. The damper keeps all limits ({ $count }).
-certificate-fail = FAIL. The damper does not keep { $failed } of { $count } limits.
-certificate-fail-untested = FAIL. { $failed } of the { $tested } limits tested are not kept; { $untested } more could not be tested with these records: { $why }.
-certificate-untested = INCOMPLETE. The { $tested } limits tested are kept; { $untested } more could not be tested with these records: { $why }.
-certificate-nothing-tested = INCOMPLETE. None of the { $count } limits could be tested with these records: { $why }.
+certificate-fail = FAIL. The damper does not keep { $failed } of { $count ->
+        [one] { $count } limit
+       *[other] { $count } limits
+    }.
+certificate-fail-untested = FAIL. { $failed } of the { $tested ->
+        [one] { $tested } limit
+       *[other] { $tested } limits
+    } tested { $failed ->
+        [one] is
+       *[other] are
+    } not kept; { $untested } more could not be tested with these records: { $why }.
+certificate-untested = INCOMPLETE. { $tested ->
+        [one] The limit tested is
+       *[other] The { $tested } limits tested are
+    } kept; { $untested } more could not be tested with these records: { $why }.
+certificate-nothing-tested = INCOMPLETE. { $count ->
+        [one] The limit could not be tested
+       *[other] None of the { $count } limits could be tested
+    } with these records: { $why }.
 certificate-why-untested = there is no test at that speed, or none slow enough for friction and gas force
 certificate-why-untested-at-setting = there is no test at that speed and setting, none slow enough for friction and gas force, or no such step of the setting
 certificate-unsure = { $verdict }, not sure: the measured time is known to ± { $value } ms
@@ -253,7 +277,10 @@ certificate-damping = { $verdict }; { $value } N of it grow with velocity, so th
 certificate-interpolated = { $tests }, interpolated
 certificate-step = step from { $from } to { $to }: { $tests }
 certificate-model-passes = The model gives the same answer to every limit.
-certificate-model-fails = The model answers { $count } of the limits otherwise than the measurement, so a simulation shows another damper there.
+certificate-model-fails = The model answers { $count ->
+        [one] one
+       *[other] { $count }
+    } of the limits otherwise than the measurement, so a simulation shows another damper there.
 certificate-caption = Forces are those at peak velocity, mean over the cycles of the test with the longest stroke that reaches the speed; interpolated linearly between two tests whose velocities differ by a factor of { $ratio } at most, else of a test within { $percent } % of the speed. Rebound and tension are positive, compression negative. Gas force and friction are mean and half difference of the strokes of the slow tests. Hysteresis is the mean gap between rising and falling velocity at equal velocity.
 subject-part = Part: { $text }
 subject-serial = Serial number: { $text }
@@ -285,7 +312,10 @@ made-command = Command: { $command }
 made-again = The same version, command and files give the same figures again. The hash is SHA-256, as sha256sum prints it.
 col-file = file
 col-bytes = bytes
-made-all = All { $count } files together: SHA-256 { $hash } (of the lines that sha256sum prints of them, in this order).
+made-all = { $count ->
+        [one] The file
+       *[other] All { $count } files together
+    }: SHA-256 { $hash } (of the lines that sha256sum prints of them, in this order).
 made-files = Files read.
 
 ## Manoeuvres.
@@ -417,7 +447,10 @@ nothing-stays = The model stays as it is; only its numbers were refitted.
 changed-stays = The model keeps its form; its numbers are this damper's now.
 nothing-added-rivals = Nothing was added: a guess between names that explain the records equally well would be worth nothing. The suspects are below, and the tests that would decide.
 nothing-added-unknown = Nothing was added: the disagreement is described below without a name. Its shape over velocity, displacement and time says what to look for at the damper or at the rig.
-worse-tests = { $count } of { $all } left-out tests are further off than before, the first is { $test }.
+worse-tests = { $count } of { $all } left-out tests { $count ->
+        [one] is
+       *[other] are
+    } further off than before, the first is { $test }.
 row-before = before (the model as it came, refitted)
 col-fitted-rms = fitted tests, N rms
 col-their-noise = noise of these, N rms

@@ -63,7 +63,10 @@ verdict-exact = le modèle suit exactement la mesure
 verdict-smaller = l’écart moyen du modèle est plus petit d’un facteur { $ratio }
 verdict-same = le modèle n’apporte rien de notable par rapport à la courbe
 verdict-larger = l’écart moyen du modèle est plus grand d’un facteur { $ratio } : il fait moins bien que la courbe
-closer-in = , et il est le plus proche des deux dans { $closer } essais sur { $tests }
+closer-in = , et il est le plus proche des deux dans { $closer ->
+        [one] { $closer } essai
+       *[other] { $closer } essais
+    } sur { $tests }
 left-out-figures = { $error } N ou { $percent } % (courbe seule { $curve_error } N ou { $curve_percent } %)
 left-out-sentence = { $left ->
         [one] Sur l’essai que l’identification n’a pas vu
@@ -84,7 +87,10 @@ matrix-section = Écarts par amplitude et vitesse de pointe
 key-section = Écarts en chiffres
 tests-section = Écarts de chaque essai
 single-section = Essais un par un
-single-about = Triés par écart, le pire d’abord. Les boucles montrent les { $cycles } derniers cycles entiers d’un essai ; un essai sans cycle entier est montré en entier. Les écarts sont calculé moins mesuré. L’ouverture d’hystérésis est la moyenne de tous les cycles entiers.
+single-about = Triés par écart, le pire d’abord. Les boucles montrent { $cycles ->
+        [one] le dernier cycle entier
+       *[other] les { $cycles } derniers cycles entiers
+    } d’un essai ; un essai sans cycle entier est montré en entier. Les écarts sont calculé moins mesuré. L’ouverture d’hystérésis est la moyenne de tous les cycles entiers.
 single-most = Des { $tests } essais, les { $shown } aux plus grands écarts sont montrés.
 hysteresis-section = Hystérésis
 identification-section = Identification
@@ -150,7 +156,10 @@ assumed-held = les mesures ne la déterminent pas ; elle se situe entre la valeu
 ## Single tests.
 
 notes-of-test = Ce que la lecture et le nettoyage ont fait ou remarqué :
-motion-periodic = { $amplitude } mm d’amplitude à { $frequency } Hz, vitesse de pointe { $velocity } mm/s, { $cycles } cycles entiers.
+motion-periodic = { $amplitude } mm d’amplitude à { $frequency } Hz, vitesse de pointe { $velocity } mm/s, { $cycles ->
+        [one] { $cycles } cycle entier
+       *[other] { $cycles } cycles entiers
+    }.
 motion-other = Non périodique, vitesse de pointe { $velocity } mm/s.
 temperature = Température { $first } °C au début, { $last } °C à la fin.
 force-noise = Bruit de l’effort { $noise } N efficaces.
@@ -242,10 +251,34 @@ certificate-title = Certificat : l’amortisseur et ses limites
 certificate-subtitle = Mesures de { $data }, limites de { $limits }
 certificate-section = Limites
 certificate-pass = CONFORME. L’amortisseur respecte toutes les limites ({ $count }).
-certificate-fail = NON CONFORME. L’amortisseur ne respecte pas { $failed } limites sur { $count }.
-certificate-fail-untested = NON CONFORME. { $failed } des { $tested } limites vérifiées ne sont pas respectées ; { $untested } autres n’ont pu être vérifiées avec ces mesures : { $why }.
-certificate-untested = INCOMPLET. Les { $tested } limites vérifiées sont respectées ; { $untested } autres n’ont pu être vérifiées avec ces mesures : { $why }.
-certificate-nothing-tested = INCOMPLET. Aucune des { $count } limites n’a pu être vérifiée avec ces mesures : { $why }.
+certificate-fail = NON CONFORME. L’amortisseur ne respecte pas { $failed ->
+        [one] { $failed } limite
+       *[other] { $failed } limites
+    } sur { $count }.
+certificate-fail-untested = NON CONFORME. { $failed ->
+        [one] { $failed } limite
+       *[other] { $failed } limites
+    } sur { $tested } { $tested ->
+        [one] vérifiée
+       *[other] vérifiées
+    } { $failed ->
+        [one] n’est pas respectée
+       *[other] ne sont pas respectées
+    } ; { $untested ->
+        [one] { $untested } autre n’a pu être vérifiée
+       *[other] { $untested } autres n’ont pu être vérifiées
+    } avec ces mesures : { $why }.
+certificate-untested = INCOMPLET. { $tested ->
+        [one] La limite vérifiée est respectée
+       *[other] Les { $tested } limites vérifiées sont respectées
+    } ; { $untested ->
+        [one] { $untested } autre n’a pu être vérifiée
+       *[other] { $untested } autres n’ont pu être vérifiées
+    } avec ces mesures : { $why }.
+certificate-nothing-tested = INCOMPLET. { $count ->
+        [one] La limite n’a pas pu
+       *[other] Aucune des { $count } limites n’a pu
+    } être vérifiée avec ces mesures : { $why }.
 certificate-why-untested = il n’y a pas d’essai à cette vitesse, ou aucun assez lent pour le frottement et l’effort du gaz
 certificate-why-untested-at-setting = il n’y a pas d’essai à cette vitesse et à ce réglage, aucun assez lent pour le frottement et l’effort du gaz, ou pas de tel saut du réglage
 certificate-unsure = { $verdict }, pas sûr : le temps mesuré est connu à ± { $value } ms près
@@ -253,7 +286,10 @@ certificate-damping = { $verdict } ; { $value } N en croissent avec la vitesse, 
 certificate-interpolated = { $tests }, interpolé
 certificate-step = échelon de { $from } à { $to } : { $tests }
 certificate-model-passes = Le modèle donne la même réponse à chaque limite.
-certificate-model-fails = Le modèle répond autrement que la mesure à { $count } des limites : une simulation y montre un autre amortisseur.
+certificate-model-fails = Le modèle répond autrement que la mesure à { $count ->
+        [one] une
+       *[other] { $count }
+    } des limites : une simulation y montre un autre amortisseur.
 certificate-caption = Les efforts sont ceux à la vitesse de pointe, moyenne des cycles de l’essai de plus longue course qui atteint la vitesse ; interpolés linéairement entre deux essais dont les vitesses diffèrent au plus d’un facteur { $ratio }, sinon ceux d’un essai à { $percent } % près de la vitesse. Détente et traction sont positives, compression négative. Effort du gaz et frottement sont moyenne et demi-différence des courses des essais lents. L’hystérésis est l’ouverture moyenne entre vitesse croissante et décroissante à vitesse égale.
 subject-part = Pièce : { $text }
 subject-serial = Numéro de série : { $text }
@@ -285,7 +321,10 @@ made-command = Commande : { $command }
 made-again = La même version, la même commande et les mêmes fichiers redonnent les mêmes chiffres. L’empreinte est SHA-256, telle que sha256sum l’affiche.
 col-file = fichier
 col-bytes = octets
-made-all = Les { $count } fichiers ensemble : SHA-256 { $hash } (des lignes que sha256sum en affiche, dans cet ordre).
+made-all = { $count ->
+        [one] Le fichier
+       *[other] Les { $count } fichiers ensemble
+    } : SHA-256 { $hash } (des lignes que sha256sum en affiche, dans cet ordre).
 made-files = Fichiers lus.
 
 ## Manoeuvres.
@@ -417,7 +456,13 @@ nothing-stays = Le modèle reste tel quel ; seuls ses paramètres ont été réa
 changed-stays = Le modèle garde sa forme ; ses paramètres sont maintenant ceux de cet amortisseur.
 nothing-added-rivals = Rien n’a été ajouté : choisir au hasard entre des noms qui expliquent aussi bien les mesures ne vaudrait rien. Les causes possibles sont plus bas, avec les essais qui trancheraient.
 nothing-added-unknown = Rien n’a été ajouté : le désaccord est décrit plus bas sans nom. Sa forme selon la vitesse, le déplacement et le temps dit quoi chercher sur l’amortisseur ou sur le banc.
-worse-tests = { $count } des { $all } essais mis de côté s’écartent plus qu’avant, par exemple { $test }.
+worse-tests = { $count ->
+        [one] { $count } essai
+       *[other] { $count } essais
+    } sur { $all } mis de côté { $count ->
+        [one] s’écarte
+       *[other] s’écartent
+    } plus qu’avant, par exemple { $test }.
 row-before = avant (le modèle tel que fourni, réajusté)
 col-fitted-rms = essais ajustés, N efficaces
 col-their-noise = leur bruit, N efficaces
@@ -478,7 +523,7 @@ status-kept = conservé
 status-added = ajouté
 status-replaced = remplacé
 status-removed = retiré
-replaces = à la place de { $effect }
+replaces = à la place ‹de›{ $effect }
 or-instead = ou { $effect } à sa place ({ $probability })
 inventory-caption = Tous les effets du modèle donné et du modèle le plus probable. La force d’un effet est ce que change son retrait, tout le reste étant conservé.
 other-effects = autres effets
@@ -1011,14 +1056,20 @@ parameter-substeps = sous-pas dans un pas de l’hôte ; 0 : autant que la raide
 records-comma = ,{ " " }
 records-semicolon = { " " };{ " " }
 records-quoted = « { $test } »
-records-and-more = { $names } et { $count } autres
+records-and-more = { $names } et { $count ->
+        [one] { $count } autre
+       *[other] { $count } autres
+    }
 records-or = { " " }ou{ " " }
 
 ## What reading says of records. Files and tables.
 
 records-profile = lu selon { $file }
 records-stray = dans { $folder }, non lus comme mesures : { $names }
-records-below = les sous-dossiers de { $folder } contiennent { $count } fichiers qui n’ont pas été lus ({ $names }) ; si ce sont des essais du même amortisseur, --subfolders les lit aussi
+records-below = les sous-dossiers de { $folder } contiennent { $count ->
+        [one] { $count } fichier qui n’a pas été lu
+       *[other] { $count } fichiers qui n’ont pas été lus
+    } ({ $names }) ; si ce sont des essais du même amortisseur, --subfolders les lit aussi
 records-columns-not-read = colonnes non lues : { $names }
 records-by-unit = « { $column } » est lu comme { $channel } d’après sa seule unité ; si une autre colonne est visée, --column le dit
 records-converted = converti en SI : { $channels }
@@ -1030,28 +1081,67 @@ records-dates-close = car les essais sont ainsi rapprochés
 records-dates-american = le mois d’abord, comme entre barres obliques en Amérique
 records-dates-usual = le jour d’abord, comme il est d’usage entre traits d’union
 records-own-clocks = chaque mesure a sa propre horloge, si bien que la chaleur et les dérives ne passent pas d’un fichier à l’autre : { $why }
-records-some-without-date = seuls { $count } fichiers sur { $all } portent l’heure du début de l'essai
+records-some-without-date = { $count ->
+        [one] seul { $count } fichier
+       *[other] seuls { $count } fichiers
+    } sur { $all } { $count ->
+        [one] porte
+       *[other] portent
+    } l’heure du début de l’essai
 records-too-far-apart = d’après les heures que portent leurs fichiers, elles sont trop éloignées pour être une seule campagne
 records-clocks-overlap = d’après les heures que portent leurs fichiers, elles se chevauchent ; ce sont peut-être les heures d’une exportation
 records-two-rates = mesuré à une cadence plus élevée dans un groupe à part, et ramené par interpolation linéaire aux instants des voies plus lentes : { $names }
-records-cut-off = l’écriture du fichier s’est interrompue, il manque donc des données à la fin ; les { $rows } lignes complètes précédentes ont été lues. Refaire l’essai s’il devait être plus long
-records-stale-rows = les { $count } premières lignes (jusqu’à la ligne { $line }) appartiennent à un passage antérieur, car le temps revient ensuite de { $from } s à { $to } s ; elles ont été écartées
+records-cut-off = l’écriture du fichier s’est interrompue, il manque donc des données à la fin ; { $rows ->
+        [one] la ligne complète précédente a été lue
+       *[other] les { $rows } lignes complètes précédentes ont été lues
+    }. Refaire l’essai s’il devait être plus long
+records-stale-rows = { $count ->
+        [one] la première ligne (jusqu’à la ligne { $line }) appartient
+       *[other] les { $count } premières lignes (jusqu’à la ligne { $line }) appartiennent
+    } à un passage antérieur, car le temps revient ensuite de { $from } s à { $to } s ; { $count ->
+        [one] écartée
+       *[other] écartées
+    }
 records-crank = le temps est calculé d’après l’angle de la manivelle à { $rpm } tours par minute
 records-resampled = mesuré à une autre cadence, et ramené par droites aux instants de force et de mouvement : { $names }
 records-below-heading = la ligne { $line }, sous l’en-tête, ne contient pas de chiffres : { $text }
 records-below-table = à partir de la ligne { $line }, sous le tableau, non lu : { $text }
-records-between-rows = { $count } lignes entre les mesures ne contiennent pas de chiffres et ont été ignorées (ligne { $lines }), la première : { $text }
-records-behind-rows = { $count } lignes contiennent, après les colonnes de l’en-tête, du texte qui n’a pas été lu (ligne { $lines }), le premier : { $text }
-records-longer-rows = { $count } lignes contiennent plus de chiffres que l’en-tête n’a de colonnes, de sorte qu’on ne sait pas lequel va où ; ces lignes sont omises (ligne { $lines }). En trop dans la première : { $text }
+records-between-rows = { $count ->
+        [one] { $count } ligne entre les mesures ne contient pas de chiffres et a été ignorée
+       *[other] { $count } lignes entre les mesures ne contiennent pas de chiffres et ont été ignorées
+    } (ligne { $lines }), la première : { $text }
+records-behind-rows = { $count ->
+        [one] { $count } ligne contient
+       *[other] { $count } lignes contiennent
+    }, après les colonnes de l’en-tête, du texte qui n’a pas été lu (ligne { $lines }), le premier : { $text }
+records-longer-rows = { $count ->
+        [one] { $count } ligne contient
+       *[other] { $count } lignes contiennent
+    } plus de chiffres que l’en-tête n’a de colonnes, de sorte qu’on ne sait pas lequel va où ; { $count ->
+        [one] cette ligne est omise
+       *[other] ces lignes sont omises
+    } (ligne { $lines }). En trop dans la première : { $text }
 
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file } : { $text }
-records-gaps = trous dans le temps : { $places }{ $more }. Lu comme { $count } essais{ $rest }
+records-gaps = trous dans le temps : { $places }{ $more }. Lu comme { $count ->
+        [one] { $count } essai
+       *[other] { $count } essais
+    }{ $rest }
 records-gap = { $seconds } s sans échantillons après { $from } s (ligne { $line })
-records-more-gaps = { " " }et { $count } autres
-records-too-few-between = { " " }; { $count } échantillons entre des trous sont trop peu pour un essai
-records-stumps = { $count } morceaux à côté d’un trou ne contiennent aucun cycle entier et ont été écartés : { $places }
+records-more-gaps = { " " }et { $count ->
+        [one] { $count } autre
+       *[other] { $count } autres
+    }
+records-too-few-between = { " " }; { $count ->
+        [one] { $count } échantillon entre des trous est
+       *[other] { $count } échantillons entre des trous sont
+    } trop peu pour un essai
+records-stumps = { $count ->
+        [one] { $count } morceau à côté d’un trou ne contient aucun cycle entier et a été écarté
+       *[other] { $count } morceaux à côté d’un trou ne contiennent aucun cycle entier et ont été écartés
+    } : { $places }
 records-from-to = { $from } à { $to } s
 records-at-speeds = { $count } essais à la suite, des courses à vitesse constante séparées là où la vitesse change ; l’horloge continue, la chaleur se transmet donc
 records-speed-of-strokes = la vitesse est celle de chaque course entière, car une course a trop peu d’échantillons pour en tirer une évolution
@@ -1060,23 +1150,80 @@ records-at-rests = { $count } essais l’un après l’autre, séparés aux repo
 
 ## What reading says of records. Rows.
 
-records-rows-dropped = { $count } lignes sur { $rows } écartées pour cellules vides ou sans nombre (ligne { $lines })
-records-setting-held = { $count } des { $rows } valeurs du réglage « { $setting } » manquent ; chacune est prise égale à la précédente
+records-rows-dropped = { $count ->
+        [one] { $count } ligne
+       *[other] { $count } lignes
+    } sur { $rows } { $count ->
+        [one] écartée
+       *[other] écartées
+    } pour cellules vides ou sans nombre (ligne { $lines })
+records-setting-held = { $count } des { $rows } valeurs du réglage « { $setting } » { $count ->
+        [one] manque
+       *[other] manquent
+    } ; chacune est prise égale à la précédente
 records-setting-start = le réglage « { $setting } » met { $seconds } s à atteindre sa valeur ; ce début a été coupé
 records-setting-empty = la colonne du réglage « { $setting } » est vide : l’essai compte comme un essai sans lui, ou comme son nom le dit
 records-unread-current = la colonne « { $column } » en { $unit } n’est pas lue ; si c’est le courant de la valve de l’amortisseur, donner --column current='{ $column }', sinon --ignore current
 records-small-current = le courant est d’au plus { $current } mA et compte comme 0 A, car aucune valve n’y répond ; si la colonne est en A, donner --unit current=A
-records-filled = { $count } valeurs manquantes de la voie { $channel } complétées par des droites
+records-filled = { $count ->
+        [one] { $count } valeur manquante
+       *[other] { $count } valeurs manquantes
+    } de la voie { $channel } { $count ->
+        [one] complétée
+       *[other] complétées
+    } par des droites
 records-empty-column = la colonne de la voie { $channel } est vide et a été écartée
-records-repeated-rows = { $count } lignes en { $blocks } blocs répètent des lignes précédentes avec leurs horodatages, d’abord à la ligne { $line } ; retirées
-records-repeated-blocks = { $blocks } blocs, { $rows } lignes en tout, répètent les lignes qui les précèdent sous de nouveaux horodatages (le premier : { $first } lignes à partir de la ligne { $line }) ; retirés, et le temps qui suit est recollé
-records-out-of-order = le temps a reculé { $count } fois, d’abord à la ligne { $line } ; { $moved } lignes remises en ordre
-records-shared-stamps = { $count } lignes sur { $rows } avaient l’horodatage de la ligne précédente ; elles ont été réparties également jusqu’au suivant
+records-repeated-rows = { $count ->
+        [one] { $count } ligne
+       *[other] { $count } lignes
+    } en { $blocks ->
+        [one] { $blocks } bloc
+       *[other] { $blocks } blocs
+    } { $count ->
+        [one] répète une ligne précédente avec son horodatage
+       *[other] répètent des lignes précédentes avec leurs horodatages
+    }, d’abord à la ligne { $line } ; { $count ->
+        [one] retirée
+       *[other] retirées
+    }
+records-repeated-blocks = { $blocks ->
+        [one] { $blocks } bloc
+       *[other] { $blocks } blocs
+    }, { $rows ->
+        [one] { $rows } ligne
+       *[other] { $rows } lignes
+    } en tout, { $blocks ->
+        [one] répète
+       *[other] répètent
+    } les lignes qui les précèdent sous de nouveaux horodatages (le premier : { $first ->
+        [one] { $first } ligne
+       *[other] { $first } lignes
+    } à partir de la ligne { $line }) ; { $blocks ->
+        [one] retiré
+       *[other] retirés
+    }, et le temps qui suit est recollé
+records-out-of-order = le temps a reculé { $count } fois, d’abord à la ligne { $line } ; { $moved ->
+        [one] { $moved } ligne remise
+       *[other] { $moved } lignes remises
+    } en ordre
+records-shared-stamps = { $count ->
+        [one] { $count } ligne
+       *[other] { $count } lignes
+    } sur { $rows } { $count ->
+        [one] avait
+       *[other] avaient
+    } l’horodatage de la ligne précédente ; { $count ->
+        [one] elle a été répartie
+       *[other] elles ont été réparties
+    } également jusqu’au suivant
 
 ## What reading says of records. Samples.
 
 records-clipped-motion = la voie { $channel } est écrêtée à { $value } { $unit } sur { $percent } % des échantillons, d’abord à la ligne { $line } ; elle est écartée et tirée de la voie { $other }
-records-rounded = { $channel } reste à { $value } { $unit } dans { $count } échantillons, d’abord à la ligne { $line } ; d’autres essais vont plus loin, si bien que cela est pris pour un retournement et non pour la fin de la plage
+records-rounded = { $channel } reste à { $value } { $unit } dans { $count ->
+        [one] { $count } échantillon
+       *[other] { $count } échantillons
+    }, d’abord à la ligne { $line } ; d’autres essais vont plus loin, si bien que cela est pris pour un retournement et non pour la fin de la plage
 records-clipped-force = l’effort est écrêté à { $value } N, d’abord à la ligne { $line } (échantillons : { $count }, { $percent } %) ; ces échantillons sont écartés
 records-spiky = la voie { $channel } est hérissée de pics : { $percent } % des échantillons s’écartent de leurs voisins ; trop pour des pics isolés, laissés tels quels
 records-spikes = pics de la voie { $channel } remplacés par des droites, le premier à la ligne { $line }, le plus grand écarté de { $largest } { $unit } (pics : { $spikes }, échantillons : { $count })
@@ -1108,12 +1255,33 @@ records-taken-out = ce que l’identification a trouvé comme erreur de mesure a
 
 ## What reading says of records. Cycles.
 
-records-no-cycles = aucun cycle entier trouvé ; la mesure est gardée entière ({ $samples } échantillons)
-records-trimmed = coupé { $before } s ({ $samples_before } échantillons) de repos et de lancement avant le premier cycle entier et { $after } s ({ $samples_after } échantillons) après le dernier ({ $tail }) ; { $cycles } cycles à { $frequency } Hz gardés
+records-no-cycles = aucun cycle entier trouvé ; la mesure est gardée entière ({ $samples ->
+        [one] { $samples } échantillon
+       *[other] { $samples } échantillons
+    })
+records-trimmed = coupé { $before } s ({ $samples_before ->
+        [one] { $samples_before } échantillon
+       *[other] { $samples_before } échantillons
+    }) de repos et de lancement avant le premier cycle entier et { $after } s ({ $samples_after ->
+        [one] { $samples_after } échantillon
+       *[other] { $samples_after } échantillons
+    }) après le dernier ({ $tail }) ; { $cycles ->
+        [one] { $cycles } cycle
+       *[other] { $cycles } cycles
+    } à { $frequency } Hz { $cycles ->
+        [one] gardé
+       *[other] gardés
+    }
 records-unlike-cycles = en { $places } endroits entre les cycles, le mouvement n’est pas un cycle entier comme les autres (pause ou perturbation) ; gardé dans la mesure, exclu de ses cycles
 records-noisy-last = le dernier cycle (à partir de { $start } s) s’écarte des autres de { $last } N efficaces, eux-mêmes de { $typical } N ; écarté
-records-displacement-drifts = le déplacement moyen dérive de { $drift } mm sur { $cycles } cycles ({ $percent } % de la course) ; laissé tel quel
-records-force-drifts = l’effort moyen dérive de { $drift } N sur { $cycles } cycles ({ $percent } % de son étendue) ; laissé tel quel
+records-displacement-drifts = le déplacement moyen dérive de { $drift } mm sur { $cycles ->
+        [one] { $cycles } cycle
+       *[other] { $cycles } cycles
+    } ({ $percent } % de la course) ; laissé tel quel
+records-force-drifts = l’effort moyen dérive de { $drift } N sur { $cycles ->
+        [one] { $cycles } cycle
+       *[other] { $cycles } cycles
+    } ({ $percent } % de son étendue) ; laissé tel quel
 
 ## What reading says of records. Figures that no damper has.
 
@@ -1128,7 +1296,10 @@ records-twins = { $test } contient les mêmes échantillons que { $twin } et com
 
 records-late = l’effort vient environ { $delay } ms après le mouvement : pris ainsi, une courbe selon la vitesse laisse { $left } % de sa variance inexpliqués, contre { $recorded } % tel qu’enregistré
 records-late-not-moved = { $late }{ $energy }. L’hystérésis ressemble ici à un retard, donc rien n’a été déplacé. dashpot fit les distingue et signale le retard qu’il trouve ; le reste est l’hystérésis de l’amortisseur. Ne donner { $option } que si le banc retarde l’effort d’autant, de façon connue
-records-would-feed = { " " }; tel qu’enregistré, l’amortisseur fournirait de l’énergie dans { $count } essais sur { $all }
+records-would-feed = { " " }; tel qu’enregistré, l’amortisseur fournirait de l’énergie dans { $count ->
+        [one] { $count } essai
+       *[other] { $count } essais
+    } sur { $all }
 
 ## What reading says of records. The direction that the files count positive.
 
@@ -1170,8 +1341,14 @@ records-against-given = { $direction } positive a été indiquée, mais les donn
 
 records-left-out = écarté : { $fault }
 records-no-record = écarté, n’étant pas une mesure : { $fault }
-records-first-and-more = { $first } ; { $count } autres
-records-more-left-out = { $count } autres fichiers et essais ont été écartés
+records-first-and-more = { $first } ; { $count ->
+        [one] { $count } autre
+       *[other] { $count } autres
+    }
+records-more-left-out = { $count ->
+        [one] { $count } autre fichier ou essai a été écarté
+       *[other] { $count } autres fichiers et essais ont été écartés
+    }
 
 ## What reading says of records. Faults of files.
 
@@ -1185,7 +1362,10 @@ records-mat = { $file } : ne peut être lu comme fichier MAT ({ $cause }) ; l’
 records-no-header = { $at } : aucune ligne d’en-tête trouvée qui nomme le temps et d’autres voies ; la première ligne est « { $found } ».{ $near }
 records-best-line = { " " }La mieux comprise est la ligne { $line }, avec { $known } ; un en-tête demande deux colonnes comprises.
 records-taken-for = « { $column } » pour { $channel }
-records-figures-alone = { " " }Elle contient { $count } colonnes de chiffres sans en-têtes : dites en une fois laquelle est quoi, par leurs numéros, et dans quelles unités, par exemple { $options }.
+records-figures-alone = { " " }Elle contient { $count ->
+        [one] { $count } colonne
+       *[other] { $count } colonnes
+    } de chiffres sans en-têtes : dites en une fois laquelle est quoi, par leurs numéros, et dans quelles unités, par exemple { $options }.
 records-no-data = { $at } : a un en-tête mais aucune ligne de données
 
 ## What reading says of records. What is wrong with what was asked for.
@@ -1198,11 +1378,17 @@ records-too-large = { $file } : compte { $size }, et les fichiers sont lus jusqu
 records-too-costly = { $at } : se décompresse au-delà de ce qu’un fichier de cette taille peut donner ; l’enregistrer de nouveau en CSV ou le découper par essai
 records-too-many-columns = { $at }, ligne { $line } : a { $found } colonnes, plus que les { $most } qu’une mesure peut avoir ; n’enregistrer que celles qui sont nécessaires
 records-empty-folder = { $folder } : ne contient aucune mesure ; un dossier de campagne contient { $kinds }
-records-in-subfolders = { $folder } : ne contient lui-même aucune mesure ; { $count } fichiers se trouvent dans ses sous-dossiers : { $names }. Si ce sont des essais d’un même amortisseur, --subfolders les lit comme une campagne ; si chacun est un amortisseur à part, en nommer un, ou les comparer par dashpot diagnose --group folders
+records-in-subfolders = { $folder } : ne contient lui-même aucune mesure ; { $count ->
+        [one] { $count } fichier se trouve
+       *[other] { $count } fichiers se trouvent
+    } dans ses sous-dossiers : { $names }. Si ce sont des essais d’un même amortisseur, --subfolders les lit comme une campagne ; si chacun est un amortisseur à part, en nommer un, ou les comparer par dashpot diagnose --group folders
 records-kinds = { $others } et { $last }
 records-no-paths = aucune mesure donnée ; nommer un fichier de mesure ou un dossier de campagne
 records-excludes-nothing = --exclude { $pattern } ne désigne aucun fichier ni essai ; le premier fichier s’appelle { $first }
-records-excludes-all = --exclude ne laisse aucune mesure ; les { $count } fichiers et essais sont tous désignés
+records-excludes-all = --exclude ne laisse aucune mesure ; { $count ->
+        [one] le seul fichier ou essai est désigné
+       *[other] les { $count } fichiers et essais sont tous désignés
+    }
 records-profiles-disagree = { $first } et { $second } donnent des sens positifs différents ; les accorder, ou donner --positive
 records-indispensable = { $channel } ne peut manquer aux mesures ; l’ôter de --ignore
 records-in-line = { $at }, ligne { $line } : { $cause }
@@ -1212,7 +1398,10 @@ records-in-line = { $at }, ligne { $line } : { $cause }
 records-understood = { $header } Sont compris : { $understood }. D’autres en-têtes se donnent par --column force="Load Cell 1"
 records-swapped = { $at } : les en-têtes « { $first } » et « { $second } » semblent intervertis : { $evidence }. Corriger l’en-tête, ou donner --column { $of_first }="{ $second }" --column { $of_second }="{ $first }" (et --unit si l’unité l’est aussi) ; s’ils sont justes, insister par --unit { $of_first }=...
 records-wrong-unit = { $evidence } ; cela indique des { $likely } écrits comme { $written }. Donner --unit { $channel }={ $likely }, ou insister par --unit { $channel }={ $written }
-records-files-unit = { $count } des { $all } essais ne vont pas avec les autres, d’une manière qu’une unité explique : { $tests }. { $test } montre ±{ $force } N à { $velocity } mm/s, les autres ±{ $usual } N à { $there } mm/s ; cela indique des { $likely } écrits comme { $written }.{ $either }{ $labels } Corriger l’en-tête des fichiers fautifs, ou les mettre dans un dossier à eux, lancer une fois dashpot import-profile DOSSIER --unit { $channel }={ $first }, et nommer les deux dossiers. Ou les laisser de côté par --exclude ; ou insister par --unit { $channel }={ $written } que tous les fichiers sont en { $written }
+records-files-unit = { $count } des { $all } essais { $count ->
+        [one] ne va pas
+       *[other] ne vont pas
+    } avec les autres, d’une manière qu’une unité explique : { $tests }. { $test } montre ±{ $force } N à { $velocity } mm/s, les autres ±{ $usual } N à { $there } mm/s ; cela indique des { $likely } écrits comme { $written }.{ $either }{ $labels } Corriger l’en-tête des fichiers fautifs, ou les mettre dans un dossier à eux, lancer une fois dashpot import-profile DOSSIER --unit { $channel }={ $first }, et nommer les deux dossiers. Ou les laisser de côté par --exclude ; ou insister par --unit { $channel }={ $written } que tous les fichiers sont en { $written }
 records-or-the-others = { " " }Si ceux-ci sont justes, ce sont, à l’inverse, les autres qui sont faux : { $others }.
 records-or-labels = { " " }Si les essais ont plusieurs réglages, des indications fausses peuvent avoir le même effet : les vérifier d’abord.
 records-labels-deviate = les efforts de { $count } des { $all } essais contredisent ceux des autres essais à leur { $name } et s’accordent avec ceux d’un autre réglage : { $groups }. { $advice }
@@ -1243,11 +1432,17 @@ records-displacement-rougher = la colonne lue comme déplacement est { $times } 
 ## What reading says of records. What speaks for another unit.
 
 records-too-quick = { $record } ferait ±{ $amplitude } mm à { $frequency } Hz pendant { $seconds } s
-records-too-long = le plus rapide de { $count } essais atteindrait { $velocity } mm/s, le plus long durerait { $hours } h, avec un échantillon toutes les { $step } s
+records-too-long = { $count ->
+        [one] le seul essai
+       *[other] le plus rapide de { $count } essais
+    } atteindrait { $velocity } mm/s, le plus long durerait { $hours } h, avec un échantillon toutes les { $step } s
 records-too-stiff = aucun essai ne dépasserait ±{ $amplitude } mm, et { $force } N à { $velocity } mm/s feraient un amortissement de { $damping } N s/m
 records-mixed-current = { $record } : le courant de la valve de l’amortisseur atteindrait { $current } A, et { $others } A au plus dans les autres essais ; cela parle pour des mA sous un en-tête en A. Corriger l’en-tête de ce fichier, ou l’écarter avec --exclude '{ $test }' ; donner --unit current=A pour insister
 records-too-much-current = le courant de la valve de l’amortisseur atteindrait { $current } A
-records-too-weak = le plus fort de { $count } essais montrerait ±{ $strongest } N, et { $test } ±{ $force } N à { $velocity } mm/s, soit un amortissement de { $damping } N s/m
+records-too-weak = { $count ->
+        [one] le seul essai
+       *[other] le plus fort de { $count } essais
+    } montrerait ±{ $strongest } N, et { $test } ±{ $force } N à { $velocity } mm/s, soit un amortissement de { $damping } N s/m
 
 ## What reading says of records. What no damper has.
 
@@ -1264,13 +1459,43 @@ records-say-n = si le fichier est en N, le dire : --unit force=N
 
 ## What reading says of records. All tests of a campaign.
 
-records-all-without-force = { $count } essais sur { $all } ne montrent aucun effort : dans { $record } il ne sort pas de son bruit de { $noise } N, bien que l’amortisseur bouge. Vérifier le capteur d’effort et sa voie (--column force="en-tête")
+records-all-without-force = { $count ->
+        [one] { $count } essai
+       *[other] { $count } essais
+    } sur { $all } { $count ->
+        [one] ne montre
+       *[other] ne montrent
+    } aucun effort : dans { $record } il ne sort pas de son bruit de { $noise } N, bien que l’amortisseur bouge. Vérifier le capteur d’effort et sa voie (--column force="en-tête")
 records-feeds-energy = l’amortisseur fournirait de l’énergie au banc, un signe est donc faux : { $cause }
-records-few-feed = { $fewer } essais sur { $count } fournissent de l’énergie, les { $more } autres non : { $names }. { $apart }{ $also }
-records-few-take = { $fewer } essais sur { $count } dissipent de l’énergie, les { $more } autres non : { $names }. { $apart }{ $also }
+records-few-feed = { $fewer ->
+        [one] { $fewer } essai
+       *[other] { $fewer } essais
+    } sur { $count } { $fewer ->
+        [one] fournit
+       *[other] fournissent
+    } de l’énergie, { $more ->
+        [one] l’autre
+       *[other] les { $more } autres
+    } non : { $names }. { $apart }{ $also }
+records-few-take = { $fewer ->
+        [one] { $fewer } essai
+       *[other] { $fewer } essais
+    } sur { $count } { $fewer ->
+        [one] dissipe
+       *[other] dissipent
+    } de l’énergie, { $more ->
+        [one] l’autre
+       *[other] les { $more } autres
+    } non : { $names }. { $apart }{ $also }
 records-apart = Ces fichiers comptent l’effort ou le mouvement dans un autre sens que les autres. Les charger à part, avec --flip force ou --flip motion pour ceux qui fournissent de l’énergie, ou corriger l’export
-records-all-feed = dans les { $count } essais à boucle nette l’effort agit dans le sens du mouvement (corrélation { $correlation }), effort et mouvement sont donc comptés en sens opposés ; { $culprit }{ $also }
-records-exchanged = déplacement et force semblent échangés dans { $count } essais sur { $all } : { $names }. Dans { $test }, la colonne lue comme force suit un sinus, comme le fait un banc (ses harmoniques en font { $of_force } %), et celle lue comme déplacement non ({ $of_displacement } %)
+records-all-feed = dans { $count ->
+        [one] le seul essai
+       *[other] les { $count } essais
+    } à boucle nette l’effort agit dans le sens du mouvement (corrélation { $correlation }), effort et mouvement sont donc comptés en sens opposés ; { $culprit }{ $also }
+records-exchanged = déplacement et force semblent échangés dans { $count ->
+        [one] { $count } essai
+       *[other] { $count } essais
+    } sur { $all } : { $names }. Dans { $test }, la colonne lue comme force suit un sinus, comme le fait un banc (ses harmoniques en font { $of_force } %), et celle lue comme déplacement non ({ $of_displacement } %)
 records-exchanged-feed = { $exchanged } ; lu ainsi, l’amortisseur fournirait de l’énergie au banc. Donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et --unit là où les unités suivent. Si seuls quelques fichiers sont concernés, placez-les dans un dossier à part, dites-le là avec dashpot import-profile, et nommez les deux dossiers
 records-exchanged-doubt = { $exchanged }. Si c’est le cas, rien de ce qui suit n’est juste : donnez --column displacement="en-tête" et --column force="en-tête" dans l’autre sens, et retirez --flip
 records-or-late = . Ou bien { $late } ; donner alors { $option }
@@ -1288,8 +1513,14 @@ records-several-motions = { $file } : contient plusieurs essais, « { $first } �
 
 ## What reading says of records. Faults of tests.
 
-records-too-few = { $at } : n’a que { $samples } échantillons utilisables ; un essai en demande au moins { $needed }, donc le mesurer de nouveau
-records-missing = { $at }, ligne { $line } : la voie { $channel } manque ou n’est pas un nombre, ici et dans { $count } lignes sur { $rows } en tout ; trop pour les écarter. Réparer l’export{ $advice }
+records-too-few = { $at } : n’a que { $samples ->
+        [one] { $samples } échantillon utilisable
+       *[other] { $samples } échantillons utilisables
+    } ; un essai en demande au moins { $needed }, donc le mesurer de nouveau
+records-missing = { $at }, ligne { $line } : la voie { $channel } manque ou n’est pas un nombre, ici et dans { $count ->
+        [one] { $count } ligne
+       *[other] { $count } lignes
+    } sur { $rows } en tout ; trop pour les écarter. Réparer l’export{ $advice }
 records-or-ignore = , ou écarter la voie avec --ignore { $channel }
 records-time-backwards = { $at }, ligne { $line } : le temps recule de { $from } s à { $to } s. Si le fichier contient plusieurs essais à la suite, nommer « test » la colonne qui les distingue, ou le diviser ; sinon couper le bloc étranger
 records-constant-time = { $at } : le temps n’avance pas, il vaut { $time } s à chaque ligne ; vérifier que la bonne colonne est lue comme temps
@@ -1298,7 +1529,10 @@ records-clipped = { $at }, d’abord à la ligne { $line } : la voie { $channel 
 records-no-motion = { $at } : l’amortisseur ne bouge pas : la voie { $channel } ne montre que du bruit, dans { $range } { $unit }. Mesurer l’essai de nouveau ou, s’il doit rester à l’arrêt, le retirer
 records-constant-force = { $at } : l’effort vaut { $value } N à chaque ligne alors que l’amortisseur bouge ; vérifier le capteur d’effort et son câble, et mesurer de nouveau
 records-cell = { $at }, ligne { $line }, colonne « { $column } » : « { $text } » n’est pas un nombre{ $hint }
-records-fields = { $at }, ligne { $line } : a { $found } champs là où l’en-tête en a { $expected }{ $hint }
+records-fields = { $at }, ligne { $line } : a { $found ->
+        [one] { $found } champ
+       *[other] { $found } champs
+    } là où l’en-tête en a { $expected }{ $hint }
 records-contradiction = { $at } : déplacement et vitesse se contredisent : { $cause }
 
 ## What reading says of records. What moves while a channel is frozen, and what to do.
@@ -1408,7 +1642,13 @@ identification-contradicts = { $name } contredit les dimensions de l’amortisse
 
 identification-one-rate = tous les essais se retournent presque au même rythme, si bien qu’une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
 identification-one-test = dans un seul essai, une voie d’effort en retard et un chemin série souple se ressemblent : la voie a été prise sans retard ; la même course au tiers de la fréquence les distinguerait
-identification-roads = { $roads } longs essais sans cycles sont calculés en { $stretches } tronçons de { $seconds } s, choisis pour parcourir tous leurs déplacements et toutes leurs vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
+identification-roads = { $roads ->
+        [one] { $roads } long essai sans cycles est calculé
+       *[other] { $roads } longs essais sans cycles sont calculés
+    } en { $stretches ->
+        [one] { $stretches } tronçon de { $seconds } s, choisi
+       *[other] { $stretches } tronçons de { $seconds } s, choisis
+    } pour parcourir tous les déplacements et toutes les vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
 identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
 identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
 identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
@@ -1461,7 +1701,13 @@ identification-family-joint = tous les réglages ensemble : ce qui leur est comm
 identification-family-left-out = chaque réglage prédit par les autres
 identification-family-actuator = réponse de la valve d’après les essais à réglage variable
 identification-changing-setting = essais à réglage variable
-identification-no-actuator = les { $count } essais à réglage variable ({ $setting }) ne montrent aucun actionneur : l’effort suit la commande dans la limite de l’échantillonnage et du bruit
+identification-no-actuator = { $count ->
+        [one] l’essai
+       *[other] les { $count } essais
+    } à réglage variable ({ $setting }) { $count ->
+        [one] ne montre
+       *[other] ne montrent
+    } aucun actionneur : l’effort suit la commande dans la limite de l’échantillonnage et du bruit
 identification-actuator-open = les mesures ne déterminent pas { $names } : les valeurs sont celles que montrent d’ordinaire les valves
 identification-family-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, au plus { $most } par réglage et { $changing } dont le réglage varie, de chaque amplitude, vitesse, position moyenne, température et effort latéral. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
 identification-no-interval-between = { $names } : pas d’intervalle ici, entre deux réglages ; un ajustement à trois réglages ou plus montre l’erreur de l’interpolation
@@ -1476,7 +1722,10 @@ identification-family-unread = {" "}; { $note }
 identification-family-other-setting = aucun essai n’indique { $name } ; les essais ont un réglage nommé { $known } : donner --setting avec ce nom
 identification-family-without = { $name } manque pour { $tests } (essais : { $count }). Les écarter avec --exclude, nommer leur colonne (--column setting=HEADING), ou le donner dans campaign.toml sous settings{ $unread }
 identification-family-one = tous les essais à { $name } constant ont la même valeur, { $value } : un modèle en fonction de ce réglage en demande au moins deux. Les ajuster sans --setting, ou vérifier l’unité de la colonne
-identification-family-only-changing = { $name } varie pendant chacun des { $count } essais : un amortisseur s’ajuste à des essais à deux réglages constants au moins ; ceux où il varie identifient sa valve
+identification-family-only-changing = { $name } varie pendant { $count ->
+        [one] le seul essai
+       *[other] chacun des { $count } essais
+    } : un amortisseur s’ajuste à des essais à deux réglages constants au moins ; ceux où il varie identifient sa valve
 identification-family-too-many = les essais ont { $count } valeurs de { $name }, et un modèle en contient { $most } : en écarter avec --exclude ou --hold-out, ou indiquer le réglage dans campaign.toml sous [settings]
 identification-family-at = à { $name } = { $value } : { $why }
 identification-family-kernel = les réglages ne font pas un modèle : { $parameter } { $why }
@@ -1521,8 +1770,8 @@ diagnosis-and = { " " }et{ " " }
 ## What a diagnosis says. The answer.
 
 diagnosis-times = { $times } fois l’écart que laissent le bruit et la forme des courbes
-diagnosis-name-and-sure = { $effect } (sûr à { $percent }{ $instead })
-diagnosis-instead-of = , à la place de { $effect }
+diagnosis-name-and-sure = ‹le›{ $effect } (sûr à { $percent }{ $instead })
+diagnosis-instead-of = , à la place ‹de›{ $effect }
 diagnosis-has-effect = cet amortisseur montre { $names } ; { $residual }, { $rest }{ $also }
 diagnosis-residual-falls = le résidu passe de { $before } à { $after } fois le bruit et l’erreur de courbe
 diagnosis-residual-stays = le résidu ne baisse pas ({ $before } fois le bruit et l’erreur de courbe avant, { $after } fois après)
@@ -1530,8 +1779,8 @@ diagnosis-leaves-nothing = ce qui ne laisse rien d’inexpliqué
 diagnosis-leaves-a-part = ce qui laisse une part inexpliquée
 diagnosis-new-effect = nouveau sur cet amortisseur : { $names } ; { $residual }, { $rest }{ $also }
 diagnosis-also-changed = { " " }; également changé : { $changes }
-diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre { $effect } (sûr à { $sure }{ $instead })
-diagnosis-at-some-settings = { $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé
+diagnosis-at-all-settings = à chaque réglage, cet amortisseur montre ‹le›{ $effect } (sûr à { $sure }{ $instead })
+diagnosis-at-some-settings = ‹le›{ $effect } (sûr à { $sure }{ $instead }) manque au modèle à { $names } ; aux autres réglages il n’est pas nommé
 diagnosis-only-together = aucun réglage à lui seul n’exige { $effects } ; un réglage en dit moins que tous ensemble, donc l’ajustement sur tous les réglages (dashpot fit --setting) décide si le modèle le garde
 diagnosis-at-no-setting = à aucun réglage il ne manque au modèle un effet que ces enregistrements puissent nommer
 diagnosis-changed-at-all-settings = { $name } a changé à chaque réglage (sûr à { $sure })
@@ -1566,11 +1815,11 @@ diagnosis-more-numbers = { " " }et { $count } autres
 diagnosis-cannot-show = { " " }; elles ne peuvent montrer { $effects }
 diagnosis-not-confirmed = { " " }; aucun essai n’a été mis de côté pour le confirmer
 diagnosis-cannot-tell = il manque quelque chose : le modèle s’écarte de { $times }, et { $why }
-diagnosis-too-few-tests = { $effect } est le plus probable, mais trop peu d’essais l’appuient pour le nommer
+diagnosis-too-few-tests = ‹le›{ $effect } est le plus probable, mais trop peu d’essais l’appuient pour le nommer
 diagnosis-not-apart = ces mesures ne peuvent distinguer { $effects }
 diagnosis-unknown-effect = le modèle s’écarte de { $times }, et aucun des effets connus n’est assez probable pour l’expliquer{ $nearest }
 diagnosis-looks-like = { " " }; cela ressemble à { $what }
-diagnosis-nearest = { " " }; le plus proche, { $effect }, explique { $percent }
+diagnosis-nearest = { " " }; le plus proche, ‹le›{ $effect }, explique { $percent }
 diagnosis-explains = explique { $percent } du désaccord
 
 ## What a diagnosis says. What a disagreement without a name looks like.
@@ -1597,7 +1846,7 @@ diagnosis-off-both-ways = l’effort mesuré est tantôt supérieur, tantôt inf
 diagnosis-run-sine = réaliser un sinus de { $amplitude } { $unit } à { $frequency } Hz{ $about }{ $under } : { $a } et { $b } y diffèrent de { $difference } N efficaces
 diagnosis-about-mean = { " " }autour de { $mean } { $unit } au compte des fichiers
 diagnosis-under-side-force = { " " }sous { $force } N d’effort latéral
-diagnosis-shows-best = { $effect } se montre le mieux ainsi : { $remedy }
+diagnosis-shows-best = ‹le›{ $effect } se montre le mieux ainsi : { $remedy }
 diagnosis-no-trace = à un niveau habituel, il ne laisserait pas de trace dans ces essais : { $remedy }
 diagnosis-sum-alone = le tube s’élargit avec la pression comme cède la colonne d’huile : un banc montre leur somme, que représente la compressibilité de l’huile (oil_compressibility)
 

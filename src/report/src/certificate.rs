@@ -2,14 +2,16 @@
 
 use super::blocks::{Block, Column, Figure, Section, Table};
 use super::made::{self, Made};
-use super::numbers::{digits, error};
+use super::numbers::digits;
 use super::page;
 use super::subject;
 use crate::cells::Cell;
 use crate::plot::peaks;
+use crate::plot::ticks::number;
 use crate::words::Words;
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, NEAR, Overall, Quantity, Value, Verdict};
 use dashpot_records::Record;
+use dashpot_records::newtons::places;
 
 /// Input of a certificate.
 #[derive(Debug, Clone)]
@@ -85,9 +87,18 @@ fn headline(found: &Certificate, words: &Words) -> String {
 }
 
 fn table(found: &Certificate, words: &Words) -> Table {
-    let value =
-        |of: Quantity, v: Option<&Value>| Cell::known(v.map(|v| of.display().1 * v.value), |v| Cell::number(v, error));
-    let bound = |of: Quantity, v: Option<f64>| Cell::known(v.map(|v| of.display().1 * v), |v| Cell::number(v, error));
+    let cell = |v: Option<f64>, decimals: usize| Cell::known(v, |v| Cell::number(v, |v| number(v, decimals)));
+    let shown = |one: &Checked, v: Option<f64>| v.map(|v| one.limit.quantity.display().1 * v);
+    let of_value = |one: &Checked, v: &Option<Value>| shown(one, v.as_ref().map(|v| v.value));
+    // All velocities in a report and its figures are in mm/s.
+    let speed = |one: &Checked| one.limit.velocity_m_s.map(|v| 1e3 * v);
+    let decimals_of = |of: &dyn Fn(&Checked) -> Option<f64>| {
+        found.limits.iter().filter_map(of).map(|v| places(v, 1)).max().unwrap_or(1)
+    };
+    let [low, high] = [decimals_of(&|one| shown(one, one.limit.low)), decimals_of(&|one| shown(one, one.limit.high))];
+    let [measured, modelled] =
+        [decimals_of(&|one| of_value(one, &one.measured)), decimals_of(&|one| of_value(one, &one.model))];
+    let speeds = found.limits.iter().filter_map(speed).map(written_decimals).max().unwrap_or(0);
     let verdict = |v: Verdict| match v {
         Verdict::Pass => words.pass,
         Verdict::Fail => words.fail,
@@ -118,15 +129,14 @@ fn table(found: &Certificate, words: &Words) -> Table {
         };
         vec![
             label(one, words).into(),
-            // All velocities in a report and its figures are in mm/s.
-            Cell::known(limit.velocity_m_s, |v| Cell::number(1e3 * v, |v| digits(v, 4))),
+            cell(speed(one), speeds),
             // Each row states the unit of its bounds, because times in ms and forces in N share the table.
             limit.quantity.display().0.into(),
-            bound(limit.quantity, limit.low),
-            bound(limit.quantity, limit.high),
-            value(limit.quantity, one.measured.as_ref()),
+            cell(shown(one, limit.low), low),
+            cell(shown(one, limit.high), high),
+            cell(of_value(one, &one.measured), measured),
             measured_verdict(one).into(),
-            value(limit.quantity, one.model.as_ref()),
+            cell(of_value(one, &one.model), modelled),
             one.model_verdict.map_or("–", verdict).into(),
             tests.into(),
         ]
@@ -150,6 +160,16 @@ fn table(found: &Certificate, words: &Words) -> Table {
         rows: found.limits.iter().map(row).collect(),
         sortable: false,
     }
+}
+
+/// Returns the number of decimals with which a velocity, mm/s, was written: at most two, because rigs are no more exact.
+fn written_decimals(velocity: f64) -> usize {
+    const MOST: usize = 2;
+    let is_exact = |decimals: &usize| {
+        let scaled = velocity * 10f64.powi(*decimals as i32);
+        (scaled - scaled.round()).abs() < 1e-6 * scaled.abs().max(1.0)
+    };
+    (0..MOST).find(is_exact).unwrap_or(MOST)
 }
 
 /// Lists names of tests. If there are more than three, lists only the first and the last.
@@ -205,24 +225,38 @@ mod tests {
     }
 
     #[test]
+    fn a_column_of_limits_has_one_number_of_decimals() {
+        let columns = |text: &str| -> Vec<Vec<String>> {
+            let found = judge(&parse("l.csv".as_ref(), text).unwrap(), &[&record(4, true)], None);
+            let table = table(&found, Language::English.words());
+            (1..6).filter(|k| *k != 2).map(|k| table.rows.iter().map(|row| row[k].text.clone()).collect()).collect()
+        };
+        let text = "quantity,velocity_m_s,low,high\nforce,0.131,1.5,930\nforce,0.524,880,1000\nforce,3,0.5,12345\n";
+        let found = columns(text);
+        assert_eq!(found[0], ["131", "524", "3000"]);
+        assert_eq!(found[1], ["1.50", "880.00", "0.50"]);
+        assert_eq!(found[2], ["930.0", "1000.0", "12345.0"]);
+        let fine = columns(&text.replace("0.131", "0.1311").replace("0.524", "0.52425"));
+        assert_eq!(fine[0], ["131.10", "524.25", "3000.00"]);
+    }
+
+    #[test]
     fn the_verdict_stands_first_and_in_the_language_asked_for() {
         let kept = "quantity,velocity_m_s,low,high\nforce,0.31,880,930\n";
         assert!(page_of(kept, Language::English).contains("PASS. The damper keeps all limits (1)."));
         let missed = kept.replace("930", "890");
         let german = page_of(&missed, Language::German);
-        assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwerten nicht ein."));
+        assert!(german.contains("NICHT BESTANDEN. Der Dämpfer hält 1 von 1 Grenzwert nicht ein."));
         assert!(german.contains("Kraft, Zugstufe") && german.contains("<html lang=\"de\">"));
         // The certificate leaves missing metadata blank for handwriting, and has no date from the clock.
         assert!(german.contains(&format!("Seriennummer: {}", crate::words::DE.to_fill_in)));
         let untested = page_of("quantity,velocity_m_s,low,high\nfriction,,1,2\n", Language::English);
-        assert!(
-            untested.contains("INCOMPLETE. None of the 1 limits could be tested") && untested.contains("NOT TESTED")
-        );
+        assert!(untested.contains("INCOMPLETE. The limit could not be tested") && untested.contains("NOT TESTED"));
         assert!(untested.contains("class=\"lead verdict incomplete\"") && !untested.contains("FAIL"));
         let some = page_of(&format!("{kept}friction,,1,2\n"), Language::English);
-        assert!(some.contains("INCOMPLETE. The 1 limits tested are kept; 1 more could not be tested"));
+        assert!(some.contains("INCOMPLETE. The limit tested is kept; 1 more could not be tested"));
         let both = page_of(&format!("{missed}friction,,1,2\n"), Language::English);
-        assert!(both.contains("FAIL. 1 of the 1 limits tested are not kept; 1 more could not be tested"));
+        assert!(both.contains("FAIL. 1 of the 1 limit tested is not kept; 1 more could not be tested"));
         // The certificate explains the interpolation of a force between two tests.
         assert!(
             untested

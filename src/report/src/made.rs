@@ -29,7 +29,7 @@ pub struct Made {
     pub version: String,
     /// Date of the report, given by the user or by the environment variable `SOURCE_DATE_EPOCH`.
     pub date: Option<String>,
-    /// The command line without output options, `--date` and `--force`.
+    /// The command line, with all its words as typed.
     pub command: String,
     /// The input files of the report.
     pub files: Vec<MadeFrom>,

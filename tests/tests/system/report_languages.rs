@@ -447,9 +447,9 @@ fn without_options(text: &str) -> Vec<&str> {
     words.into_iter().flat_map(latin).collect()
 }
 
-/// Returns whether a word is a name in the flawed campaign, or a file format.
+/// Returns whether a word is a name in the flawed campaign, a file format or a unit.
 fn is_flawed_name(word: &str) -> bool {
-    const FORMATS: &str = "PDF xlsx dB SI PK v2 FV zip campaign.toml";
+    const FORMATS: &str = "PDF xlsx dB in SI PK v2 FV zip campaign.toml";
     let stems = "plain twin both integrated drift spikes holes clipped stamps gap rest swapped repeated wandering short frozen still no_clock \
                  no_rows many_holes contradiction cut empty paper words readme.doc damaged";
     let is = |list: &str| {

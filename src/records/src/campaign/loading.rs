@@ -429,7 +429,7 @@ mod tests {
         assert!(message(&[("notes.txt", "")]).contains("notes.txt: is empty (0 bytes)"));
         assert!(message(&[("a.csv", "alpha,beta\n1,2\n")]).contains("a.csv: no header line"));
         assert!(message(&[("a.csv", "time_s,x_mm,force_N\n")]).contains("a.csv: has a header but no data"));
-        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable samples"));
+        assert!(message(&[("a.csv", "time_s,x_mm,force_N\n1,2,3\n")]).contains("only 1 usable sample;"));
         // The message names the first bad file in order, even if another thread finds a fault earlier.
         let files = [("a1.csv", sine(1.0)), ("a2.csv", "x\n".into()), ("a10.csv", "y\n".into())];
         let files: Vec<(&str, &str)> = files.iter().map(|(name, text)| (*name, text.as_str())).collect();

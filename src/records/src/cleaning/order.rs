@@ -110,11 +110,8 @@ mod tests {
             drop_stale(&mut samples);
             assert_eq!((samples.time.clone(), samples.force.clone()), (sound.time.clone(), sound.force.clone()));
             let note = samples.notes.last().unwrap();
-            assert!(
-                note.kind == "stale" && note.text.to_string().contains(&format!("the first {stale} rows")),
-                "{}",
-                note.text
-            );
+            let first = if stale == 1 { "the first row (".to_owned() } else { format!("the first {stale} rows (") };
+            assert!(note.kind == "stale" && note.text.to_string().contains(&first), "{}", note.text);
         }
         // Two consecutive tests, and rows slightly out of order, do not count as stale rows.
         let mut two = sound.clone();

@@ -11,7 +11,7 @@ dashpot_messages::phrases! {
     // Files and tables.
     PROFILE: "read as {file} says";
     STRAY: "in {folder}, not read as records: {names}";
-    BELOW: "the subfolders of {folder} hold {count} files that were not read ({names}); where they are tests of the same damper, --subfolders reads them too";
+    BELOW: "the subfolders of {folder} hold {count|# file that was|# files that were} not read ({names}); where they are tests of the same damper, --subfolders reads them too";
     COLUMNS_NOT_READ: "columns not read: {names}";
     BY_UNIT: "'{column}' is taken for {channel} by its unit alone; --column says if another one is meant";
     UNREAD_CURRENT: "column '{column}' in {unit} is not read; if it is the current of the damper's valve, give --column current='{column}', otherwise --ignore current";
@@ -24,26 +24,26 @@ dashpot_messages::phrases! {
     DATES_AMERICAN: "with the month first, as between strokes in America";
     DATES_USUAL: "with the day first, as is usual between hyphens";
     OWN_CLOCKS: "every record has a clock of its own, so that heat and drifts do not carry over from file to file: {why}";
-    SOME_WITHOUT_DATE: "only {count} of {all} files bear the time at which the test began";
+    SOME_WITHOUT_DATE: "only {count} of {all} files {count|bears|bear} the time at which the test began";
     TOO_FAR_APART: "by the times that their files bear they are too far apart to be one campaign";
     CLOCKS_OVERLAP: "by the times that their files bear they overlap; these may be the times of an export";
     TWO_RATES: "measured at a higher rate in a group of its own, and joined at the times of the slower channels by straight lines: {names}";
-    CUT_OFF: "the file broke off while it was written, so data are missing at its end; the {rows} whole rows before were read. Measure the test again where it should have been longer";
-    STALE_ROWS: "the first {count} rows (up to line {line}) belong to an earlier run, for time goes back from {from} s to {to} s behind them; they were left out";
+    CUT_OFF: "the file broke off while it was written, so data are missing at its end; the {rows|whole row|# whole rows} before {rows|was|were} read. Measure the test again where it should have been longer";
+    STALE_ROWS: "the first {count|row|# rows} (up to line {line}) {count|belongs|belong} to an earlier run, for time goes back from {from} s to {to} s behind; left out";
     CRANK: "time is worked out from the angle of the crank at {rpm} revolutions per minute";
     RESAMPLED: "measured at another rate, and put onto the times of force and motion by straight lines: {names}";
     BELOW_HEADING: "line {line}, below the heading, holds no figures: {text}";
     BELOW_TABLE: "from line {line} on, below the table, not read: {text}";
-    BETWEEN_ROWS: "{count} lines between the rows hold no figures and were passed over (line {lines}), the first: {text}";
-    BEHIND_ROWS: "{count} rows hold text behind the columns of the heading, which was not read (line {lines}), the first: {text}";
-    LONGER_ROWS: "{count} rows hold more figures than the heading has columns, so that it is not sure which is which; these rows are left out (line {lines}). Too many in the first: {text}";
+    BETWEEN_ROWS: "{count|# line between the rows holds no figures and was|# lines between the rows hold no figures and were} passed over (line {lines}), the first: {text}";
+    BEHIND_ROWS: "{count|# row holds|# rows hold} text behind the columns of the heading, which was not read (line {lines}), the first: {text}";
+    LONGER_ROWS: "{count|# row holds|# rows hold} more figures than the heading has columns, so that it is not sure which is which; {count|this row is|these rows are} left out (line {lines}). Too many in the first: {text}";
     // Gaps in time.
     OF_FILE: "{file}: {text}";
-    GAPS: "gaps in time: {places}{more}. Read as {count} tests{rest}";
+    GAPS: "gaps in time: {places}{more}. Read as {count|# test|# tests}{rest}";
     GAP: "{seconds} s without samples after {from} s (line {line})";
     MORE_GAPS: " and {count} more";
-    TOO_FEW_BETWEEN: "; {count} samples between gaps are too few for a test";
-    STUMPS: "{count} pieces beside a gap hold no whole cycle and were left out: {places}";
+    TOO_FEW_BETWEEN: "; {count|# sample between gaps is|# samples between gaps are} too few for a test";
+    STUMPS: "{count|# piece beside a gap holds no whole cycle and was|# pieces beside a gap hold no whole cycle and were} left out: {places}";
     FROM_TO: "{from} to {to} s";
     AT_SPEEDS: "{count} tests one after the other, strokes of constant speed told apart where the speed changes; the clock goes on, so that heat carries over";
     SPEED_OF_STROKES: "velocity is the speed of each whole stroke, for a stroke has too few samples for a course of it";
@@ -51,19 +51,19 @@ dashpot_messages::phrases! {
     AT_RESTS: "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over";
     // Rows.
     ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
-    SETTING_HELD: "{count} of {rows} values of the setting '{setting}' are missing; each is taken as the one before it";
+    SETTING_HELD: "{count} of {rows} values of the setting '{setting}' {count|is|are} missing; each is taken as the one before it";
     SETTING_START: "the setting '{setting}' is on its way to its value for {seconds} s; this start was cut off";
     SETTING_EMPTY: "the column of the setting '{setting}' is empty: the test counts as one without it, or as its name says";
     SMALL_CURRENT: "the current is at most {current} mA, which counts as 0 A, for no valve answers to it; where the column holds A, give --unit current=A";
-    FILLED: "{count} missing values of {channel} filled by straight lines";
+    FILLED: "{count|# missing value|# missing values} of {channel} filled by straight lines";
     EMPTY_COLUMN: "the column of {channel} is empty and was left out";
-    REPEATED_ROWS: "{count} rows in {blocks} blocks repeat earlier rows with their time stamps, first at line {line}; removed";
-    REPEATED_BLOCKS: "{blocks} blocks, {rows} rows in all, repeat the rows just before them under new time stamps (first: {first} rows from line {line}); removed and the time behind them closed up";
-    OUT_OF_ORDER: "time stepped back {count} times, first at line {line}; {moved} rows put back in order";
-    SHARED_STAMPS: "{count} of {rows} rows shared a time stamp with the row before; they were spread evenly to the next stamp";
+    REPEATED_ROWS: "{count|# row|# rows} in {blocks|# block|# blocks} {count|repeats an earlier row with its time stamp|repeat earlier rows with their time stamps}, first at line {line}; removed";
+    REPEATED_BLOCKS: "{blocks|# block|# blocks}, {rows|# row|# rows} in all, {blocks|repeats|repeat} the rows just before under new time stamps (first: {first|# row|# rows} from line {line}); removed and the time behind closed up";
+    OUT_OF_ORDER: "time stepped back {count|once|# times}, first at line {line}; {moved|# row|# rows} put back in order";
+    SHARED_STAMPS: "{count} of {rows} rows shared a time stamp with the row before; {count|it was|they were} spread evenly to the next stamp";
     // Samples.
     CLIPPED_MOTION: "{channel} is clipped at {value} {unit} in {percent} % of the samples, first at line {line}; the channel is left out and derived from {other}";
-    ROUNDED: "{channel} stands at {value} {unit} in {count} samples, first at line {line}; other tests go further, so that this is taken for a turn and not for the end of the range";
+    ROUNDED: "{channel} stands at {value} {unit} in {count|# sample|# samples}, first at line {line}; other tests go further, so that this is taken for a turn and not for the end of the range";
     CLIPPED_FORCE: "force is clipped at {value} N, first at line {line} (samples: {count}, {percent} %); these samples are left out";
     SPIKY: "{channel} is spiky: {percent} % of the samples stand off their neighbours; too many to be stray spikes, left as they are";
     SPIKES: "spikes of {channel} replaced by straight lines, first at line {line}, largest {largest} {unit} off (spikes: {spikes}, samples: {count})";
@@ -89,12 +89,12 @@ dashpot_messages::phrases! {
     LATE_AS_GIVEN: "force comes {delay} ms after the motion, as given; the motion was moved there, the force samples are as recorded";
     TAKEN_OUT: "what the fit found the measurement to be off by was taken out";
     // Cycles.
-    NO_CYCLES: "no whole cycles found; the record is kept whole ({samples} samples)";
-    TRIMMED: "cut {before} s ({samples_before} samples) of rest and run-up before the first whole cycle and {after} s ({samples_after} samples) after the last ({tail}); {cycles} cycles at {frequency} Hz kept";
+    NO_CYCLES: "no whole cycles found; the record is kept whole ({samples|# sample|# samples})";
+    TRIMMED: "cut {before} s ({samples_before|# sample|# samples}) of rest and run-up before the first whole cycle and {after} s ({samples_after|# sample|# samples}) after the last ({tail}); {cycles|# cycle|# cycles} at {frequency} Hz kept";
     UNLIKE_CYCLES: "in {places} places between the cycles the motion is no whole cycle like the others (pause or disturbance); kept in the record, left out of its cycles";
     NOISY_LAST: "the last cycle (from {start} s) deviates from the others by {last} N rms where they deviate by {typical} N; left out";
-    DISPLACEMENT_DRIFTS: "mean displacement drifts by {drift} mm over {cycles} cycles ({percent} % of the stroke); left as it is";
-    FORCE_DRIFTS: "mean force drifts by {drift} N over {cycles} cycles ({percent} % of its range); left as it is";
+    DISPLACEMENT_DRIFTS: "mean displacement drifts by {drift} mm over {cycles|# cycle|# cycles} ({percent} % of the stroke); left as it is";
+    FORCE_DRIFTS: "mean force drifts by {drift} N over {cycles|# cycle|# cycles} ({percent} % of its range); left as it is";
     // Values that are too small for a damper.
     NO_FORCE: "the force shows nothing but noise in {tests}; check the load cell, or leave these tests out";
     SMALL_AMPLITUDE: "the largest amplitude is {amplitude} {unit}: is the unit of displacement right?";
@@ -105,7 +105,7 @@ dashpot_messages::phrases! {
     // Delay of the force.
     LATE: "the force comes about {delay} ms after the motion: taken so, a curve over velocity leaves {left} % of its variance unexplained, as recorded {recorded} %";
     LATE_NOT_MOVED: "{late}{energy}. Hysteresis looks like a delay here, so nothing was moved. dashpot fit tells them apart and reports the delay that it finds; what remains is hysteresis of the damper. Give {option} only if the rig is known to delay the force by that much";
-    WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all} tests";
+    WOULD_FEED: "; as recorded, the damper would feed energy in {count} of {all|# test|# tests}";
     // The positive direction of the files.
     STANDSTILL: "force at standstill is {force} N ± {error} N as counted in the files; gas pushes the rod out, so that {verdict}";
     SPEAKS_FOR_TENSION: "speaks for tension positive (rebound)";
@@ -144,7 +144,7 @@ dashpot_messages::phrases! {
     LEFT_OUT: "left out: {fault}";
     NO_RECORD: "left out, as it is no record: {fault}";
     FIRST_AND_MORE: "{first}; {count} more";
-    MORE_LEFT_OUT: "{count} more files and tests were left out";
+    MORE_LEFT_OUT: "{count|# more file or test was|# more files and tests were} left out";
     // Faults of files.
     UNKNOWN_TYPE: "{file}: is no record; records are {kinds} files";
     NOT_READ: "{file}: is {is}, which is not read; {instead}";
@@ -156,7 +156,7 @@ dashpot_messages::phrases! {
     NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.{near}";
     BEST_LINE: " Best understood is line {line}, with {known}; a heading needs two columns that are understood.";
     TAKEN_FOR: "'{column}' for {channel}";
-    FIGURES_ALONE: " It holds {count} columns of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.";
+    FIGURES_ALONE: " It holds {count|# column|# columns} of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.";
     NO_DATA: "{at}: has a header but no data rows";
     // Errors of the request.
     NOT_FOUND: "{file}: there is no such file or folder; check the path";
@@ -167,11 +167,11 @@ dashpot_messages::phrases! {
     TOO_COSTLY: "{at}: unpacks to more than a file of its size may; save it again as CSV, or cut it into its tests";
     TOO_MANY_COLUMNS: "{at}, line {line}: has {found} columns, more than the {most} that a record may have; save only those that are needed";
     EMPTY_FOLDER: "{folder}: holds no record; a campaign folder holds {kinds}";
-    IN_SUBFOLDERS: "{folder}: holds no record itself; {count} files lie in its subfolders: {names}. Where these are tests of one damper, give --subfolders, which reads them as one campaign; where each is a damper of its own, name one of them, or compare them by dashpot diagnose --group folders";
+    IN_SUBFOLDERS: "{folder}: holds no record itself; {count|# file lies|# files lie} in its subfolders: {names}. Where these are tests of one damper, give --subfolders, which reads them as one campaign; where each is a damper of its own, name one of them, or compare them by dashpot diagnose --group folders";
     KINDS: "{others} and {last}";
     NO_PATHS: "no record given; name a record file or a campaign folder";
     EXCLUDES_NOTHING: "--exclude {pattern} matches no file and no test; the first file is called {first}";
-    EXCLUDES_ALL: "--exclude leaves no record; all {count} files and tests match";
+    EXCLUDES_ALL: "--exclude leaves no record; {count|the only file or test matches|all # files and tests match}";
     PROFILES_DISAGREE: "{first} and {second} say different directions positive; make them agree, or give --positive";
     INDISPENSABLE: "{channel} cannot be left out of records; take it off --ignore";
     IN_LINE: "{at}, line {line}: {cause}";
@@ -179,7 +179,7 @@ dashpot_messages::phrases! {
     UNDERSTOOD: "{header} Understood are: {understood}. Other headings can be given as --column force=\"Load Cell 1\"";
     SWAPPED: "{at}: the headings '{first}' and '{second}' look swapped: {evidence}. Correct the header, or give --column {of_first}=\"{second}\" --column {of_second}=\"{first}\" (and --unit where the unit is swapped too); if they are right, give --unit {of_first}=... to insist";
     WRONG_UNIT: "{evidence}; that speaks for {likely} written as {written}. Give --unit {channel}={likely}, or --unit {channel}={written} to insist";
-    FILES_UNIT: "{count} of {all} tests do not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} mm/s, the others ±{usual} N at {there} mm/s; that speaks for {likely} written as {written}.{either}{labels} Correct the heading of the files that are wrong. Or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
+    FILES_UNIT: "{count} of {all} tests {count|does|do} not go with the others, in a way that a unit explains: {tests}. {test} shows ±{force} N at {velocity} mm/s, the others ±{usual} N at {there} mm/s; that speaks for {likely} written as {written}.{either}{labels} Correct the heading of the files that are wrong. Or put them into a folder of their own, say dashpot import-profile FOLDER --unit {channel}={first} once, and name both folders. Or leave them out with --exclude; or give --unit {channel}={written} to insist that all files are in {written}";
     OR_THE_OTHERS: " If these are right, it is the others that are wrong, the other way round: {others}.";
     OR_LABELS: " Where the tests have several settings, wrong labels of some of them can look like that: check these first.";
     LABELS_DEVIATE: "the forces of {count} of {all} tests contradict the other tests at their {name} and agree with those at another one: {groups}. {advice}";
@@ -206,11 +206,11 @@ dashpot_messages::phrases! {
     DISPLACEMENT_ROUGHER: "the column read as displacement is {times} times rougher than the one read as force, and the damper would feed energy; {spans}";
     // Evidence for another unit.
     TOO_QUICK: "{record} would move ±{amplitude} mm at {frequency} Hz for {seconds} s";
-    TOO_LONG: "the fastest of {count} tests would reach {velocity} mm/s, the longest last {hours} h, with a sample every {step} s";
+    TOO_LONG: "{count|the only test|the fastest of # tests} would reach {velocity} mm/s, {count|and last|the longest last} {hours} h, with a sample every {step} s";
     TOO_STIFF: "no test would move more than ±{amplitude} mm, and {force} N at {velocity} mm/s would be a damping of {damping} N s/m";
     MIXED_CURRENT: "{record}: the current of the damper's valve would reach {current} A, and {others} A at most in the other tests; that speaks for mA under a heading of A. Correct the heading of this file, or leave it out with --exclude '{test}'; give --unit current=A to insist";
     TOO_MUCH_CURRENT: "the current of the damper's valve would reach {current} A";
-    TOO_WEAK: "the strongest of {count} tests would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m";
+    TOO_WEAK: "{count|the only test|the strongest of # tests} would show ±{strongest} N, and {test} ±{force} N at {velocity} mm/s, a damping of {damping} N s/m";
     // Values that are too large for a damper.
     ABSURD: "{record}: shows {what}, which no suspension damper has; {advice}";
     AN_AMPLITUDE: "an amplitude of {amplitude} m";
@@ -223,13 +223,13 @@ dashpot_messages::phrases! {
     UNIT_WAS_GIVEN: "the unit was said, so it is another one, or the column, the gain or the sensor is wrong: check them, and leave --unit out where the heading has the unit";
     SAY_N: "if the file gives N, say so: --unit force=N";
     // All tests of a campaign.
-    ALL_WITHOUT_FORCE: "{count} of {all} tests show no force: in {record} it does not stand out of its noise of {noise} N, although the damper moves. Check the load cell and its channel (--column force=\"heading\")";
+    ALL_WITHOUT_FORCE: "{count} of {all|# test|# tests} {count|shows|show} no force: in {record} it does not stand out of its noise of {noise} N, although the damper moves. Check the load cell and its channel (--column force=\"heading\")";
     FEEDS_ENERGY: "the damper would feed energy into the rig, so a sign is wrong: {cause}";
-    FEW_FEED: "{fewer} of {count} tests feed energy while the other {more} do not: {names}. {apart}{also}";
-    FEW_TAKE: "{fewer} of {count} tests dissipate while the other {more} do not: {names}. {apart}{also}";
+    FEW_FEED: "{fewer} of {count} tests {fewer|feeds|feed} energy while the other {more|one does|# do} not: {names}. {apart}{also}";
+    FEW_TAKE: "{fewer} of {count} tests {fewer|dissipates|dissipate} while the other {more|one does|# do} not: {names}. {apart}{also}";
     APART: "These files count force or motion in another direction than the rest. Load them apart, with --flip force or --flip motion for those that feed energy, or correct the export";
-    ALL_FEED: "in all {count} tests with a clear loop force acts along the motion (correlation {correlation}), so force and motion are counted in opposite directions; {culprit}{also}";
-    EXCHANGED: "displacement and force look exchanged in {count} of {all} tests: {names}. In {test} the column read as force moves like a sine, as a rig does: its overtones are {of_force} % of it. Those of the column read as displacement are {of_displacement} %";
+    ALL_FEED: "in {count|the only test|all # tests} with a clear loop force acts along the motion (correlation {correlation}), so force and motion are counted in opposite directions; {culprit}{also}";
+    EXCHANGED: "displacement and force look exchanged in {count} of {all|# test|# tests}: {names}. In {test} the column read as force moves like a sine, as a rig does: its overtones are {of_force} % of it. Those of the column read as displacement are {of_displacement} %";
     EXCHANGED_FEED: "{exchanged}; read so, the damper would feed energy into the rig. Give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and --unit where the units go with them. Where only some files have it, put these into a folder of their own, say so there with dashpot import-profile, and name both folders";
     EXCHANGED_DOUBT: "{exchanged}. If so, nothing of what follows is right: give --column displacement=\"heading\" and --column force=\"heading\" the other way round, and leave --flip out";
     OR_LATE: ". Or {late}; then give {option}";
@@ -243,8 +243,8 @@ dashpot_messages::phrases! {
     SHORT_MOTION: "{at}: has one row; a motion needs at least two";
     SEVERAL_MOTIONS: "{file}: holds several tests, '{first}' and '{second}'; a motion is one, so cut the file";
     // Faults of tests.
-    TOO_FEW: "{at}: has only {samples} usable samples; a test needs at least {needed}, so measure it again";
-    MISSING: "{at}, line {line}: {channel} is missing or not a number here and in {count} of {rows} rows in all; too many to drop. Repair the export{advice}";
+    TOO_FEW: "{at}: has only {samples|# usable sample|# usable samples}; a test needs at least {needed}, so measure it again";
+    MISSING: "{at}, line {line}: {channel} is missing or not a number here and in {count} of {rows|# row|# rows} in all; too many to drop. Repair the export{advice}";
     OR_IGNORE: ", or leave the channel out with --ignore {channel}";
     TIME_BACKWARDS: "{at}, line {line}: time goes back from {from} s to {to} s. If the file holds several tests one after another, call the column that tells them apart 'test', or split it; otherwise cut the stray block";
     CONSTANT_TIME: "{at}: time does not advance, it is {time} s in every row; check that the right column is read as time";
@@ -253,7 +253,7 @@ dashpot_messages::phrases! {
     NO_MOTION: "{at}: the damper does not move: {channel} shows nothing but noise, within {range} {unit}. Measure the test again, or, if it is meant to stand, take it out";
     CONSTANT_FORCE: "{at}: force is {value} N in every row while the damper moves; check the load cell and its cable, and measure again";
     CELL: "{at}, line {line}, column '{column}': '{text}' is no number{hint}";
-    FIELDS: "{at}, line {line}: has {found} fields where the header has {expected}{hint}";
+    FIELDS: "{at}, line {line}: has {found|# field|# fields} where the header has {expected}{hint}";
     CONTRADICTION: "{at}: displacement and velocity contradict each other: {cause}";
     // Motion of the other channels while a channel is frozen, and advice.
     DAMPER_MOVES: "the damper moves";

@@ -70,7 +70,7 @@ impl FamilyReport<'_> {
 /// Returns the name of the setting, or a generic word if the model file contains no name.
 fn axis_name<'a>(damper: &'a Definition, words: &'a Words) -> &'a str {
     let name = damper.axis.name();
-    if name.is_empty() { words.col_setting } else { name }
+    if name.is_empty() { words.col_setting } else { words.word(name) }
 }
 
 /// Formats the title of a plot axis that shows the setting, with its unit.

@@ -80,9 +80,12 @@ fn figure(model: &ModelFile, number: Number, words: &Words) -> Figure {
     // The axis includes zero, so that a nearly constant parameter looks constant.
     let values = all().map(|p| p[1]).chain([0.0]);
     let plane = Plane {
-        title: number.name().to_owned(),
+        title: words.named(number.name()),
         x: Axis::around(axis_title(&definition, words), all().map(|p| p[0])),
-        y: Axis::around(format!("{}, {}", number.name(), parameter.unit), values),
+        y: Axis::around(
+            format!("{}, {}", words.name_of(number.name()).unwrap_or(number.name()), parameter.unit),
+            values,
+        ),
         series: series.clone(),
     };
     let how = match model.axis.values(number) {
@@ -201,4 +204,26 @@ pub fn dependences(fit: &FamilyFit, words: &Words) -> Table {
     let columns =
         vec![Column::words(words.col_name), Column::words(words.family_varies), Column::figures(words.col_probability)];
     Table { caption: words.family_dependences.to_owned(), columns, rows: rows.collect(), sortable: false }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::words::{FR, ZH};
+    use dashpot_identification::model_file::family_of_text;
+
+    #[test]
+    fn axes_have_the_names_of_the_language() {
+        let text = "format = 1\nelements = [\"fv_curve\", \"gas_preload\"]\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\n\
+             setting_unit = \"A\"\ngas_force = [150.0, 160.0]\n";
+        let file = family_of_text(text, "m.toml".as_ref()).unwrap();
+        for (words, name, setting) in [(&FR, "effort de gaz", "courant"), (&ZH, "气体力", "电流")] {
+            let all = figures(&file, words);
+            let svg = &all.iter().find(|figure| figure.file == "number-gas_force").unwrap().svg;
+            for label in [format!(">{name}, N<"), format!(">{setting}, A<")] {
+                assert!(svg.contains(&label), "{label}: {svg}");
+            }
+            assert!(svg.contains(&words.named("gas_force")));
+        }
+    }
 }

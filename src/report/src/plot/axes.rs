@@ -271,23 +271,45 @@ pub enum Mark {
     Dot,
 }
 
-/// Draws the title and, below the title, the legend: a mark and a name for each series. A title or legend that is too wide for the figure
-/// gets a smaller font.
+/// Distance of two lines of a legend, px.
+const ROW: f64 = 16.0;
+
+/// Draws the title and, below the title, the legend: a mark and a name for each series, all in one font size.
+///
+/// A legend that is too wide for one line has several, and the figure grows upward by them. The last line is at the same coordinates in all
+/// figures. A title that is too wide gets a smaller font.
 pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mark)]) {
     let room = svg.width() - left - 4.0;
-    let size = TITLE * (room / (BOLD * text_width(title, TITLE))).min(1.0);
-    svg.text([left, 17.0], title, TextStyle { bold: true, ..TextStyle::plain(size, Anchor::Start) });
-    let step = |label: &str| 25.0 + text_width(label, LABEL) + 16.0;
-    let whole: f64 = legend.iter().map(|(_, label, _)| step(label)).sum::<f64>() - 16.0;
-    let scale = (room / whole).min(1.0);
+    let wide = |label: &str, size: f64| 25.0 + text_width(label, size);
+    // Only a single name that is wider than the figure reduces the font size, then of all names.
+    let longest = legend.iter().map(|(_, label, _)| text_width(label, LABEL)).fold(0.0, f64::max);
+    let size = LABEL * ((room - 25.0) / longest).min(1.0);
+    let mut rows: Vec<Vec<(f64, &(Role, &str, Mark))>> = vec![Vec::new()];
     let mut x = left;
-    for (role, label, mark) in legend {
-        match mark {
-            Mark::Line => svg.path(*role, &[[x, 33.0], [x + 20.0 * scale, 33.0]], 2),
-            Mark::Dot => svg.dot(*role, [x + 14.0 * scale, 33.0], 3.4),
+    for entry in legend {
+        let is_full = x > left && x + wide(entry.1, size) > left + room;
+        if is_full {
+            rows.push(Vec::new());
+            x = left;
         }
-        svg.text([x + 25.0 * scale, 37.0], label, TextStyle::plain(LABEL * scale, Anchor::Start));
-        x += step(label) * scale;
+        if let Some(row) = rows.last_mut() {
+            row.push((x, entry));
+        }
+        x += wide(entry.1, size) + 16.0;
+    }
+    let above = ROW * (rows.len() - 1) as f64;
+    svg.extend_above(above);
+    let of_title = TITLE * (room / (BOLD * text_width(title, TITLE))).min(1.0);
+    svg.text([left, 17.0 - above], title, TextStyle { bold: true, ..TextStyle::plain(of_title, Anchor::Start) });
+    for (k, row) in rows.iter().enumerate() {
+        let below = ROW * k as f64 - above;
+        for (x, (role, label, mark)) in row {
+            match mark {
+                Mark::Line => svg.path(*role, &[[*x, 33.0 + below], [x + 20.0, 33.0 + below]], 2),
+                Mark::Dot => svg.dot(*role, [x + 14.0, 33.0 + below], 3.4),
+            }
+            svg.text([x + 25.0, 37.0 + below], label, TextStyle::plain(size, Anchor::Start));
+        }
     }
 }
 
@@ -316,6 +338,40 @@ mod tests {
         }
         let still = Axis::exactly("s", 2.0, 2.0);
         assert!(still.high > still.low);
+    }
+
+    #[test]
+    fn a_long_legend_has_several_lines_of_one_size() {
+        let drawn = |count: usize| {
+            let names: Vec<String> = (0..count).map(|k| format!("{}00 mm/s", k + 1)).collect();
+            let series = |_| Series { role: Role::Model, label: "", lines: vec![vec![[0.0, 1.0]]], marks: Marks::Line };
+            let plane = Plane {
+                title: "t".into(),
+                x: Axis::around("x", [0.0, 1.0]),
+                y: Axis::around("y", [0.0, 1.0]),
+                series: (0..count).map(series).collect(),
+            };
+            plane.draw_named(&names, SIZE, &EN)
+        };
+        let attribute = |element: &str, name: &str| -> f64 {
+            element.split(&format!(" {name}=\"")).nth(1).and_then(|rest| rest.split('"').next()?.parse().ok()).unwrap()
+        };
+        for (count, rows) in [(2, 1), (6, 2), (14, 5)] {
+            let text = drawn(count);
+            let names: Vec<&str> = text.split("<text").filter(|text| text.contains(" mm/s</text>")).collect();
+            assert_eq!(names.len(), count);
+            assert!(names.iter().all(|name| attribute(name, "font-size") == LABEL), "{names:?}");
+            let lines: std::collections::BTreeSet<i64> = names.iter().map(|name| attribute(name, "y") as i64).collect();
+            assert_eq!(lines.len(), rows, "{lines:?}");
+            // The document contains the highest line, and the last line is above the plotted area.
+            let height = ROW * (rows - 1) as f64;
+            assert!(text.contains(&format!("viewBox=\"0 {} ", if rows == 1 { 0.0 } else { -height })), "{text}");
+            assert_eq!(attribute(&text, "height"), SIZE[1] + height);
+            for name in names {
+                let label = name.split('>').nth(1).and_then(|rest| rest.split('<').next()).unwrap();
+                assert!(attribute(name, "x") + text_width(label, LABEL) <= SIZE[0]);
+            }
+        }
     }
 
     #[test]

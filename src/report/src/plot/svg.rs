@@ -54,27 +54,34 @@ pub struct Svg {
     about: String,
     width: f64,
     height: f64,
+    /// Height of the part above the coordinate zero, px.
+    above: f64,
     title: String,
 }
 
 impl Svg {
     /// Starts a document of a size in px. Screen readers read `title`.
     pub fn new(width: f64, height: f64, title: &str) -> Self {
-        Self { body: String::new(), about: String::new(), width, height, title: title.to_owned() }
+        Self { body: String::new(), about: String::new(), width, height, above: 0.0, title: title.to_owned() }
     }
 
     /// Returns the complete document.
     pub fn finish(self) -> String {
-        let (width, height) = (px(self.width), px(self.height));
+        let (top, width, height) = (px(-self.above), px(self.width), px(self.height + self.above));
         format!(
-            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {width} {height}\" width=\"{width}\" \
+            "<svg xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 {top} {width} {height}\" width=\"{width}\" \
              height=\"{height}\"{} role=\"img\" font-family=\"system-ui, 'Segoe UI', Roboto, 'Helvetica Neue', Arial, \
-             sans-serif\"><title>{}</title><rect class=\"paper\" width=\"{width}\" height=\"{height}\" \
+             sans-serif\"><title>{}</title><rect class=\"paper\" y=\"{top}\" width=\"{width}\" height=\"{height}\" \
              fill=\"{PAPER}\"/>{}</svg>",
             self.about,
             escape(&self.title),
             self.body,
         )
+    }
+
+    /// Extends the document at its top. The marks keep their coordinates, so the new part has negative ones.
+    pub fn extend_above(&mut self, by: f64) {
+        self.above += by;
     }
 
     /// Returns the width of the document, px.

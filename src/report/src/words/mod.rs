@@ -8,6 +8,7 @@ use dashpot_messages::{Catalog, Message, is_number};
 use names::MARK;
 use std::sync::LazyLock;
 
+mod french;
 mod names;
 mod sentences;
 mod texts;

@@ -3,6 +3,7 @@
 //!
 //! The English meanings are in the code of the kernel and the diagnosis. The Fluent files of the other languages contain the translations.
 
+use super::french::{add_article, without_markers};
 use super::{TERMINAL_CODE, Words};
 use dashpot_core::parameter;
 use std::borrow::Cow;
@@ -70,6 +71,9 @@ impl Words {
         while let (Some(identifier), Some(behind)) = (pieces.next(), pieces.next()) {
             let first = !told.contains(&identifier);
             told.push(identifier);
+            if let Some(name) = self.name_of(identifier) {
+                add_article(&mut text, name);
+            }
             match self.name_of(identifier).filter(|_| !first) {
                 Some(name) => text += &(name.to_owned() + behind),
                 None => {
@@ -83,7 +87,7 @@ impl Words {
                 }
             }
         }
-        text
+        without_markers(text)
     }
 }
 

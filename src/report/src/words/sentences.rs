@@ -74,7 +74,7 @@ impl Words {
 pub(super) mod tests {
     use super::*;
     use crate::words::tests::entries;
-    use dashpot_messages::Template;
+    use dashpot_messages::{Message, Template};
     use std::collections::{BTreeMap, BTreeSet};
 
     /// Returns every message of the other crates.
@@ -115,6 +115,111 @@ pub(super) mod tests {
                 assert!(words <= 3 || entry.text != **english, "{file}: {}", entry.id);
             }
         }
+    }
+
+    /// Nouns that a count of one must not precede, in English, German and French.
+    const PLURALS: &[&str] = &[
+        "tests",
+        "files",
+        "rows",
+        "samples",
+        "cycles",
+        "limits",
+        "pieces",
+        "columns",
+        "lines",
+        "blocks",
+        "values",
+        "fields",
+        "stretches",
+        "Versuche",
+        "Versuchen",
+        "Dateien",
+        "Zeilen",
+        "Messwerte",
+        "Messwerten",
+        "Zyklen",
+        "Grenzwerte",
+        "Grenzwerten",
+        "Stücke",
+        "Spalten",
+        "Blöcke",
+        "Blöcken",
+        "Werte",
+        "Felder",
+        "Abschnitte",
+        "Abschnitten",
+        "essais",
+        "fichiers",
+        "lignes",
+        "échantillons",
+        "limites",
+        "morceaux",
+        "colonnes",
+        "blocs",
+        "valeurs",
+        "champs",
+        "tronçons",
+        "autres",
+    ];
+
+    /// Messages whose counts are two or more wherever they are used, or whose only number before such a noun is no count.
+    const SEVERAL: &[&str] = &[
+        "records-at-speeds",
+        "records-at-settings",
+        "records-at-rests",
+        "records-differentiated",
+        "records-too-many-columns",
+        "records-unknown-type",
+        "single-most",
+        "identification-selected",
+        "identification-family-selected",
+        "identification-family-too-many",
+    ];
+
+    /// Words before a total. A total of one has a text of its own where it can occur.
+    const OF: &[&str] = &["of", "von", "des", "der", "sur"];
+
+    #[test]
+    fn one_is_no_plural_in_any_language() {
+        let is_wrong = |text: &str| {
+            let words: Vec<&str> = text.split(' ').collect();
+            (0..words.len()).any(|k| {
+                let noun =
+                    |k: usize| words.get(k).map_or("", |word| word.trim_end_matches(|c: char| !c.is_alphanumeric()));
+                let is_one = words[k].trim_start_matches('(') == "1"
+                    && !k.checked_sub(1).is_some_and(|k| OF.contains(&words[k]));
+                let is_adjective =
+                    |word: &str| !word.is_empty() && word.chars().all(char::is_lowercase) && !OF.contains(&word);
+                is_one
+                    && (PLURALS.contains(&noun(k + 1)) || is_adjective(noun(k + 1)) && PLURALS.contains(&noun(k + 2)))
+            })
+        };
+        assert!(is_wrong("in all 1 tests") && is_wrong("(1 Dateien)") && is_wrong("1 autres") && !is_wrong("11 tests"));
+        let mut wrong = Vec::new();
+        // The texts of the diagnosis are those of another crate, with tests of its own.
+        for template in templates().into_iter().filter(|template| !template.id().starts_with("diagnosis-")) {
+            let ones = template.places().fold(Sentence::from(template), |sentence, place| sentence.with(place, "1"));
+            let texts = [&*crate::words::EN, &crate::words::DE, &crate::words::FR].map(|words| ones.to_text(words));
+            wrong.extend(
+                texts
+                    .into_iter()
+                    .filter(|text| is_wrong(text) && !SEVERAL.contains(&template.id()))
+                    .map(|text| format!("{}: {text}", template.id())),
+            );
+        }
+        for (id, places) in Words::MESSAGES {
+            let ones: Vec<(&str, &str)> = places.iter().map(|place| (*place, "1")).collect();
+            let texts =
+                [&*crate::words::EN, &crate::words::DE, &crate::words::FR].map(|words| words.fill(Message(id), &ones));
+            wrong.extend(
+                texts
+                    .into_iter()
+                    .filter(|text| is_wrong(text) && !SEVERAL.contains(id))
+                    .map(|text| format!("{id}: {text}")),
+            );
+        }
+        assert!(wrong.is_empty(), "{wrong:#?}");
     }
 
     #[test]

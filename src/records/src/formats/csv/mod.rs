@@ -304,11 +304,7 @@ mod tests {
         assert!(describe(&test).contains("(line 22), the first: 'DAQ Pause DAQ Stop'"), "{}", describe(&test));
         // The position of a surplus number is unknown, so the row is omitted.
         let test = read(&format!("{header}{}20,1,5,3,0,0,0\n", table(0, 20)));
-        assert!(
-            test.len() == 20 && describe(&test).contains("these rows are left out (line 22)"),
-            "{}",
-            describe(&test)
-        );
+        assert!(test.len() == 20 && describe(&test).contains("this row is left out (line 22)"), "{}", describe(&test));
         // If most rows have too many fields, the table does not match its heading. A row with only some numbers is an
         // error.
         let message = |text: String| try_read(&text).unwrap_err().to_string();
