@@ -357,6 +357,12 @@ impl Session {
         Some(model.dampers(model.params(), self.own_settings))
     }
 
+    /// Returns whether the errors and forces at hand are provisional: those of one cycle of each test, or those of another model, until the
+    /// whole records are simulated.
+    pub fn are_errors_provisional(&self) -> bool {
+        self.simulated.as_ref().is_some_and(|of| of.quick || self.dampers().is_none_or(|now| now != of.dampers))
+    }
+
     /// Returns whether an open test has its own setting of the adjustable damper.
     pub fn has_own_settings(&self) -> bool {
         let (Some(model), Some(loaded)) = (&self.model, &self.campaign) else { return false };

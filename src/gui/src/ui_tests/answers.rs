@@ -160,3 +160,31 @@ fn every_number_of_the_window_is_in_the_selected_units() {
         }
     }
 }
+
+#[test]
+fn errors_of_one_cycle_have_a_mark_until_the_whole_records_follow() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut harness = opened(folder.path(), 6, vec![]);
+    let marks = |harness: &Harness<'_, App>| {
+        let mut count = 0;
+        each_shape(harness, |shape, _| {
+            if let Shape::Text(text) = shape {
+                count += usize::from(text.galley.job.text.contains('≈'));
+            }
+        });
+        count
+    };
+    harness.run_steps(2);
+    assert_eq!(marks(&harness), 0);
+    harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
+    let tests = harness.state().session.campaign.as_ref().unwrap().tests.len();
+    // The old numbers are not those of the model on screen, and the quick ones are of one cycle.
+    for is_quick in [false, true] {
+        until(&mut harness, "the errors", |app| app.session.simulated.as_ref().is_some_and(|s| s.quick) == is_quick);
+        // List, detail, matrix with its mean, and panel of the model.
+        assert!(marks(&harness) >= tests + 4, "quick {is_quick}: {}", marks(&harness));
+    }
+    until(&mut harness, "the whole records", |app| !app.session.are_errors_provisional());
+    harness.run_steps(2);
+    assert_eq!(marks(&harness), 0);
+}

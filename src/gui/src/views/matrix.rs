@@ -2,7 +2,7 @@
 
 use crate::session::Session;
 use crate::session::matrix::{Across, Grid};
-use crate::views::{View, colour};
+use crate::views::{View, colour, explain_provisional, percent};
 use crate::words::Words;
 use dashpot_report::plot::palette::heat;
 use eframe::egui::{self, Color32, RichText, Ui, Vec2};
@@ -23,17 +23,20 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let Some(loaded) = session.campaign.clone() else { return };
     ui.horizontal_wrapped(|ui| {
         ui.strong(w.error_matrix);
-        ui.weak("%").on_hover_text(w.error_hint);
+        let is_provisional = session.are_errors_provisional();
+        // The mark of the unit applies to all cells.
+        ui.weak(if is_provisional { "≈\u{a0}%" } else { "%" }).on_hover_text(w.error_hint);
         ui.selectable_value(&mut view.across, Across::Velocity, w.peak_velocity);
         ui.selectable_value(&mut view.across, Across::Frequency, w.frequency);
         if let Some(simulated) = &session.simulated {
             let mean = simulated.tests.iter().map(|t| t.percent).sum::<f64>() / simulated.tests.len().max(1) as f64;
-            ui.label(format!("{}\u{a0}{}\u{a0}%", w.mean, w.fixed(mean, 2)));
+            let mean = ui.label(format!("{}\u{a0}{}", w.mean, percent(mean, is_provisional, w)));
+            explain_provisional(mean, is_provisional, w);
         }
     });
     let grid = Grid::new(&loaded.campaign.records, view.across);
     let simulated = session.simulated.clone();
-    let percent = |tests: &[usize]| {
+    let error = |tests: &[usize]| {
         let of: Vec<f64> = tests.iter().filter_map(|k| Some(simulated.as_ref()?.tests.get(*k)?.percent)).collect();
         (!of.is_empty()).then(|| of.iter().sum::<f64>() / of.len() as f64)
     };
@@ -65,7 +68,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
                         continue;
                     }
                     let shown = tests.iter().any(|k| session.selected.contains(k));
-                    if cell(ui, percent(tests), shown, width, w).clicked() {
+                    if cell(ui, error(tests), shown, width, w).clicked() {
                         chosen = Some(tests.to_vec());
                     }
                 }
@@ -78,7 +81,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             }
             ui.horizontal(|ui| {
                 let shown = tests.iter().any(|k| session.selected.contains(k));
-                if cell(ui, percent(tests), shown, width, w).clicked() {
+                if cell(ui, error(tests), shown, width, w).clicked() {
                     chosen = Some(tests.clone());
                 }
                 ui.label(RichText::new(format!("{name} ({})", tests.len())).small());

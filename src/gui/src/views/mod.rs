@@ -135,6 +135,25 @@ impl View {
     }
 }
 
+/// Returns the width of a text in one line, px.
+pub fn text_width(ui: &egui::Ui, text: &str, style: egui::TextStyle) -> f32 {
+    let font = style.resolve(ui.style());
+    ui.painter().layout_no_wrap(text.to_owned(), font, Color32::WHITE).size().x
+}
+
+/// Formats an error in percent. A provisional error has a mark.
+pub fn percent(value: f64, is_provisional: bool, w: &Words) -> String {
+    let mark = if is_provisional { "≈\u{a0}" } else { "" };
+    format!("{mark}{}\u{a0}%", w.fixed(value, 2))
+}
+
+/// Adds the reason of the mark to a provisional number.
+pub fn explain_provisional(response: egui::Response, is_provisional: bool, w: &Words) {
+    if is_provisional {
+        response.on_hover_text(w.provisional);
+    }
+}
+
 /// Returns the display name of an element or a parameter, as in the reports. Without such a name, returns the identifier with spaces.
 pub fn translate_name(identifier: &str, words: &dashpot_report::words::Words) -> String {
     words.name_of(identifier).map_or_else(|| identifier.replace('_', " "), str::to_owned)

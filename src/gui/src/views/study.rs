@@ -178,6 +178,9 @@ pub fn plot(ui: &mut Ui, session: &Session, units: Units, w: &'static Words) {
         translate_name(study.question.number.name(), w.of.words()),
         loaded.campaign.records[study.question.test].name
     ));
+    if study.is_old(session) {
+        results::out_of_date(ui, w);
+    }
     let weak = ui.visuals().weak_text_color();
     let name = |member: &Member| format!("{} {}", w.digits(unit.factor * member.value), unit.symbol);
     let of_members = study.members.iter().enumerate();

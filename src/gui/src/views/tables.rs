@@ -3,10 +3,10 @@
 use crate::dialogs::Ask;
 use crate::session::Session;
 use crate::session::velocities::{Pair, at_peaks, within_cycle};
-use crate::views::View;
+use crate::views::{View, text_width};
 use eframe::egui::{self, RichText, Ui};
 
-/// Largest width of a heading, px. The longest word of any language fits, and five columns fit into a window of 1280 px.
+/// Largest width of a heading, px, unless one of its words is longer. Five columns fit into a window of 1280 px.
 const HEADING: f32 = 64.0;
 
 /// A table in the selected units: headings, then rows of texts.
@@ -36,6 +36,12 @@ fn force(view: &View, pair: Option<Pair>) -> [String; 2] {
     [said(pair.map(|p| p.0)), said(pair.and_then(|p| p.1))]
 }
 
+/// Returns the heading of the model's forces. Provisional forces have a mark.
+fn model_heading(session: &Session, view: &View) -> String {
+    let mark = if session.are_errors_provisional() { "≈\u{a0}" } else { "" };
+    format!("{mark}{} [{}]", view.words().model, view.units.force().symbol)
+}
+
 fn pvp(session: &Session, view: &View) -> Table {
     let (w, units) = (view.words(), view.units);
     let (v, x, f) = (units.velocity(), units.length(), units.force());
@@ -43,7 +49,7 @@ fn pvp(session: &Session, view: &View) -> Table {
     for side in [w.rebound, w.compression] {
         headings.push(format!("{side} [{}]", v.symbol));
         headings.push(format!("{} [{}]", w.measured, f.symbol));
-        headings.push(format!("{} [{}]", w.model, f.symbol));
+        headings.push(model_heading(session, view));
     }
     let rows = at_peaks(session).into_iter().map(|row| {
         let mut cells = vec![row.test, w.digits(x.factor * row.amplitude)];
@@ -62,7 +68,7 @@ fn cvp(session: &Session, view: &View, test: usize) -> Table {
     let mut headings = vec![format!("{} [{}]", w.velocity, v.symbol)];
     for way in [w.opening, w.closing_speed] {
         headings.push(format!("{way}, {} [{}]", w.measured, f.symbol));
-        headings.push(format!("{way}, {} [{}]", w.model, f.symbol));
+        headings.push(format!("{way}, {}", model_heading(session, view)));
     }
     let rows = within_cycle(session, test, v.factor).into_iter().map(|row| {
         let mut cells = vec![w.digits(v.factor * row.velocity)];
@@ -84,8 +90,10 @@ fn draw(ui: &mut Ui, view: &mut View, id: &str, title: &str, file: &'static str,
         egui::Grid::new(id).num_columns(table.headings.len()).striped(true).spacing([4.0, 2.0]).show(ui, |ui| {
             for heading in &table.headings {
                 // A heading in one line would be wider than its numbers, and only two columns would be visible.
+                let words = heading.split([' ', '\n']);
+                let longest = words.map(|word| text_width(ui, word, egui::TextStyle::Small)).fold(HEADING, f32::max);
                 ui.scope(|ui| {
-                    ui.set_max_width(HEADING);
+                    ui.set_max_width(longest.ceil());
                     let heading = RichText::new(heading.replace(", ", "\n")).small().strong();
                     ui.add(egui::Label::new(heading).wrap());
                 });

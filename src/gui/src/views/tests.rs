@@ -2,7 +2,7 @@
 
 use crate::session::Session;
 use crate::units::{Shown, Units};
-use crate::views::{View, hue};
+use crate::views::{View, explain_provisional, hue, percent, text_width};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
@@ -91,8 +91,9 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
         }
         let place = session.selected.iter().position(|s| *s == k);
         let error = session.simulated.as_ref().and_then(|s| s.tests.get(k)).map(|t| t.percent);
+        let is_provisional = session.are_errors_provisional();
         let figures = match error {
-            Some(percent) => format!("{} %", w.fixed(percent, 2)),
+            Some(error) => percent(error, is_provisional, w),
             None => format!("{}\u{a0}Hz", w.digits(record.frequency)),
         };
         let warning = if is_damaged(record) { "⚠ " } else { "" };
@@ -113,7 +114,7 @@ fn row(ui: &mut Ui, session: &mut Session, view: &mut View, record: &Record, k: 
             let keys = ui.input(|i| i.modifiers);
             choose(session, view, k, keys, listed);
         }
-        ui.weak(figures);
+        explain_provisional(ui.weak(figures), is_provisional && error.is_some(), w);
     });
 }
 
@@ -160,15 +161,23 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
     let area = crate::session::study::loop_area(&seen.cycle.displacement[..n], &seen.cycle.force[..n]);
     let simulated = session.simulated.as_ref().and_then(|s| s.tests.get(k));
     let (units, force) = (view.units, view.units.force());
-    let in_unit = |unit: &Shown, value: f64| format!("{} {}", w.digits(unit.factor * value), unit.symbol);
+    let in_unit = |unit: &Shown, value: f64| format!("{}\u{a0}{}", w.digits(unit.factor * value), unit.symbol);
+    let names = [w.mean_error, w.amplitude, w.frequency, w.peak_velocity, w.largest_force, w.cycles, w.work, w.noise];
+    let widest = names.into_iter().map(|name| text_width(ui, name, egui::TextStyle::Body)).fold(0.0, f32::max);
+    let room = (ui.available_width() - widest - ui.spacing().item_spacing.x).max(60.0);
     egui::Grid::new("detail").num_columns(2).show(ui, |ui| {
         let mut line = |name: &str, value: String| {
             ui.label(name);
-            ui.label(value);
+            // A long value is wrapped, because the panel would cut it off.
+            ui.scope(|ui| {
+                ui.set_max_width(room);
+                ui.add(egui::Label::new(value).wrap());
+            });
             ui.end_row();
         };
         if let Some(of) = simulated {
-            line(w.mean_error, format!("{}, {}\u{a0}%", in_unit(&force, of.mean_error), w.fixed(of.percent, 2)));
+            let mark = if session.are_errors_provisional() { "≈\u{a0}" } else { "" };
+            line(w.mean_error, format!("{mark}{}, {}", in_unit(&force, of.mean_error), percent(of.percent, false, w)));
         }
         line(w.amplitude, in_unit(&units.length(), record.amplitude));
         line(w.frequency, format!("{}\u{a0}Hz", w.digits(record.frequency)));

@@ -5,7 +5,7 @@ use crate::format::Format;
 use crate::session::Session;
 use crate::session::model::{Reach, Tuned, prior_band};
 use crate::units::{Units, read};
-use crate::views::{View, fit, named_list, setting_name, translate_name};
+use crate::views::{View, explain_provisional, fit, named_list, percent, setting_name, translate_name};
 use crate::words::Words;
 use dashpot_core::list;
 use dashpot_core::parameter::{self, Element, Row, Shape};
@@ -97,8 +97,11 @@ fn errors(ui: &mut Ui, session: &Session, w: &Words) {
     };
     if let Some(now) = &session.simulated {
         let name = before_tuning(session.model.as_ref().is_some_and(Tuned::is_of_a_fit), w);
-        let before = session.identified.as_ref().map(|i| format!(" ({name} {} %)", w.fixed(mean(i), 2)));
-        ui.label(format!("{} {} %{}", w.mean_error, w.fixed(mean(now), 2), before.unwrap_or_default()));
+        let before = session.identified.as_ref().map(|i| format!(" ({name} {})", percent(mean(i), false, w)));
+        let is_provisional = session.are_errors_provisional();
+        let error = percent(mean(now), is_provisional, w);
+        let error = ui.label(format!("{} {error}{}", w.mean_error, before.unwrap_or_default()));
+        explain_provisional(error, is_provisional, w);
     }
 }
 

@@ -283,6 +283,7 @@ dashpot_messages::interface! {
         replacing_unsaved,
         replace_anyway,
         old_result,
+        provisional,
         steady_force,
         stop_at_rest,
         stop_force,
