@@ -8,14 +8,14 @@ use super::detection_limit;
 use super::effects::{self, meaning};
 use super::name_of::name_of;
 use super::outcome::*;
+use super::plausible::is_plausible;
 use super::prepared::Against;
 use super::rivals::{LISTED, Open, explained};
 use super::wording::{percent, physical};
 use super::{improved, phrases, proposed_test, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
-use dashpot_estimation::hypothesis::{Free, Hypothesis};
-use dashpot_estimation::prior_range::RARE;
+use dashpot_estimation::hypothesis::Free;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::sensitivity::Accuracy;
@@ -661,10 +661,4 @@ fn looks(unnamed: Unnamed) -> Template {
         Unnamed::LoadCell => phrases::LIKE_LOAD_CELL,
         Unnamed::Resonance => phrases::LIKE_RESONANCE,
     }
-}
-
-/// Returns whether the value of a parameter is within [`RARE`] standard deviations of the mean of its prior. A
-/// parameter without a prior is always plausible.
-fn is_plausible(hypothesis: &Hypothesis, k: usize, theta: &[f64]) -> bool {
-    hypothesis.numbers[k].prior.is_none_or(|(mean, sd)| ((theta[k] - mean) / sd).abs() < RARE)
 }

@@ -40,6 +40,7 @@ mod opposite;
 mod options;
 mod outcome;
 mod phrases;
+mod plausible;
 mod prepared;
 mod proposed_test;
 mod reference;

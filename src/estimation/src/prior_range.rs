@@ -27,7 +27,7 @@ pub fn prior_range(number: Number, scale: Scale) -> Option<(f64, f64)> {
 }
 
 /// Returns whether a value is outside the [`prior_range`] of its parameter. Only the size of a strength counts, not its sign.
-pub fn is_rare(number: Number, value: f64, scale: Scale) -> bool {
+pub fn is_rare_value(number: Number, value: f64, scale: Scale) -> bool {
     let is_strength = matches!(distribution(number, scale), Some(Distribution::Strength(..)));
     let value = if is_strength { value.abs() } else { value };
     prior_range(number, scale).is_some_and(|(low, high)| !(low..=high).contains(&value))
@@ -40,14 +40,14 @@ mod tests {
 
     #[test]
     fn what_no_damper_shows_is_rare() {
-        let is_rare = |number, value| is_rare(number, value, Scale::CAR);
-        assert!(is_rare(number!("oil_stiffness"), 2.0e4) && !is_rare(number!("oil_stiffness"), 3.0e6));
-        assert!(is_rare(number!("oil_compression"), 39.07));
-        assert!(is_rare(number!("gas_force"), -10.76) && is_rare(number!("gas_force"), 1500.0));
-        assert!(!is_rare(number!("gas_force"), -1.0) && !is_rare(number!("gas_force"), 400.0));
+        let is_rare_value = |number, value| is_rare_value(number, value, Scale::CAR);
+        assert!(is_rare_value(number!("oil_stiffness"), 2.0e4) && !is_rare_value(number!("oil_stiffness"), 3.0e6));
+        assert!(is_rare_value(number!("oil_compression"), 39.07));
+        assert!(is_rare_value(number!("gas_force"), -10.76) && is_rare_value(number!("gas_force"), 1500.0));
+        assert!(!is_rare_value(number!("gas_force"), -1.0) && !is_rare_value(number!("gas_force"), 400.0));
         // Little friction is no friction, and nothing rare.
-        assert!(!is_rare(number!("coulomb_force"), 0.0) && is_rare(number!("coulomb_force"), 4000.0));
-        assert!(!is_rare(number!("fv_rebound_c1"), 1e9));
+        assert!(!is_rare_value(number!("coulomb_force"), 0.0) && is_rare_value(number!("coulomb_force"), 4000.0));
+        assert!(!is_rare_value(number!("fv_rebound_c1"), 1e9));
     }
 
     #[test]
@@ -55,7 +55,7 @@ mod tests {
         for scale in [0.01, 1.0, 40.0].map(|times| Scale::of_force(1500.0 * times)) {
             for prior in PRIORS {
                 let center = distribution(prior.number, scale).unwrap().center();
-                assert!(!super::is_rare(prior.number, center, scale), "{}", prior.number.name());
+                assert!(!super::is_rare_value(prior.number, center, scale), "{}", prior.number.name());
             }
         }
     }

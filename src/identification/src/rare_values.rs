@@ -4,7 +4,7 @@ use crate::phrases;
 use crate::{Estimate, Standing};
 use dashpot_core::Params;
 use dashpot_core::parameter::Number;
-use dashpot_estimation::prior_range::{is_rare, prior_range};
+use dashpot_estimation::prior_range::{is_rare_value, prior_range};
 use dashpot_estimation::prior_set::PriorSet;
 use dashpot_estimation::scale::Scale;
 use dashpot_messages::Sentence;
@@ -17,7 +17,11 @@ pub(crate) fn describe_rare(estimate: &Estimate, params: &Params, own: &PriorSet
     let number = Number::find(estimate.name).ok()?;
     let has_own = own.rows().iter().any(|row| row.number == number);
     let scale = Scale::from_params(params);
-    if estimate.index.is_some() || has_own || !params.counts(number.row()) || !is_rare(number, estimate.value, scale) {
+    if estimate.index.is_some()
+        || has_own
+        || !params.counts(number.row())
+        || !is_rare_value(number, estimate.value, scale)
+    {
         return None;
     }
     let (low, high) = prior_range(number, scale)?;

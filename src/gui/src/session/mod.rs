@@ -357,8 +357,9 @@ impl Session {
         Some(model.dampers(model.params(), self.own_settings))
     }
 
-    /// Returns whether the errors and forces at hand are provisional: those of one cycle of each test, or those of another model, until the
-    /// whole records are simulated.
+    /// Returns whether the errors and forces at hand are provisional.
+    ///
+    /// Until the whole records are simulated, they are those of one cycle of each test, or those of another model.
     pub fn are_errors_provisional(&self) -> bool {
         self.simulated.as_ref().is_some_and(|of| of.quick || self.dampers().is_none_or(|now| now != of.dampers))
     }
