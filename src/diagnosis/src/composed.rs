@@ -108,26 +108,12 @@ impl Composed<'_> {
         item.test_forces_n.is_empty() || tests.any(exceeds)
     }
 
-    /// Removes from the best structure all added effects that are not probable enough to be named. Stops early if the
-    /// model without such an effect gives no finite force.
-    fn settle(&mut self, probability: &dyn Fn(&str) -> f64) {
-        loop {
-            let doubtful = self.best.components.iter().position(|c| {
-                self.start.components.iter().all(|own| own.effect != c.effect) && probability(c.effect) < NAMED
-            });
-            let Some(place) = doubtful else { return };
-            let Some(less) = self.best.without(place, &self.fitted, Effort::FINE) else { return };
-            self.best = less;
-        }
-    }
-
     /// Composes the diagnosis.
-    pub fn diagnosis(mut self) -> Diagnosis {
+    pub fn diagnosis(self) -> Diagnosis {
         let is_against = self.against.is_some();
         let at = if is_against { Temperatures::AGAINST_REFERENCE } else { Temperatures::WITHOUT_REFERENCE };
         let probabilities = self.search.probabilities(at);
         let probability = |effect: &str| confidence(probabilities.get(effect).copied().unwrap_or(0.0), is_against);
-        self.settle(&probability);
         let tree = tree::tree(&self.search, at);
         let of = |structure: &Structure, tests: &[Test]| {
             errors(self.accuracy(), &structure.hypothesis, &structure.refit.theta, self.records, tests)

@@ -1,7 +1,8 @@
 //! Diagnosis of a model, with all steps from the records to the outcome.
 
+use super::calibration::confidence;
 use super::composed::Composed;
-use super::decisions::NEEDED;
+use super::decisions::{NAMED, NEEDED};
 use super::effects::{self, EFFECTS};
 use super::options::{DiagnosisError, Options};
 use super::outcome::Diagnosis;
@@ -12,7 +13,8 @@ use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
-use dashpot_estimation::structure::search::StructureSearch;
+use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
+use dashpot_estimation::structure::settled::settled;
 use dashpot_estimation::structure::starts;
 use dashpot_estimation::vocabulary::{Candidate, changes};
 use dashpot_identification::{describe_roads, select_tests};
@@ -88,6 +90,13 @@ fn finished(search: &StructureSearch, tests: &[Test]) -> Option<(Structure, Stru
     Some((given, search.best.refitted(tests, Effort::FINE)?))
 }
 
+/// Returns the predicate whether an effect is probable enough to name it.
+fn is_named(search: &StructureSearch, is_against: bool) -> impl Fn(&str) -> bool + use<> {
+    let at = if is_against { Temperatures::AGAINST_REFERENCE } else { Temperatures::WITHOUT_REFERENCE };
+    let probabilities = search.probabilities(at);
+    move |effect| confidence(probabilities.get(effect).copied().unwrap_or(0.0), is_against) >= NAMED
+}
+
 /// Returns whether a structure has additional effects but does not explain the records better than the given model.
 ///
 /// Such a structure is more probable only because its effects are more frequent in dampers, or because it has fewer
@@ -130,7 +139,8 @@ fn alone<'a>(
     let search = StructureSearch::run(&context, Some(starts::from_params(params, &heating)), plain);
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);
-    let (given, mut best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let mut best = settled(&context, &given, best, &is_named(&search, false));
     if given.log_posterior >= best.log_posterior || adds_without_need(&given, &best) {
         best = given.clone();
     }
@@ -181,6 +191,7 @@ fn against_reference<'a>(
     let search = StructureSearch::run(&context, Some((same, Vec::new())), Vec::new());
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
+    let best = settled(&context, &given, best, &is_named(&search, true));
     let against = Some(against);
     Ok(Composed {
         reference_remarks: Vec::new(),
