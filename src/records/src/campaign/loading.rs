@@ -19,7 +19,7 @@ use crate::data::record::{Note, Record};
 use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::data::setting_signal::SettingSignal;
-use crate::error::RecordError;
+use crate::error::{ColumnError, RecordError, SelectionError};
 use crate::messages::phrases;
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
@@ -102,7 +102,7 @@ pub fn load(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Campaign, RecordError> {
     if let Some(&channel) = [Channel::Time, Channel::Force].iter().find(|c| options.ignore.contains(c)) {
-        return Err(RecordError::Indispensable { channel });
+        return Err(SelectionError::Indispensable { channel }.into());
     }
     let mut notes = Vec::new();
     let Found { files, folders, below, mut excluded } = find(paths, options, &mut notes)?;
@@ -134,10 +134,10 @@ pub fn load(
     }
     if let Some(pattern) = given.exclude.iter().find(|p| !excluded.patterns.contains(*p)) {
         let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
-        return Err(RecordError::ExcludesNothing { pattern: pattern.clone(), first });
+        return Err(SelectionError::ExcludesNothing { pattern: pattern.clone(), first }.into());
     }
     if tests.is_empty() && sieve.is_empty() {
-        return Err(RecordError::ExcludesAll { count: excluded.count });
+        return Err(SelectionError::ExcludesAll { count: excluded.count }.into());
     }
     date_agreement::settle(&mut tests, &mut notes);
     notes.extend(below.iter().map(Below::note));
@@ -192,7 +192,7 @@ pub fn load(
     unique_names(&mut records);
     let is_without = records.iter().all(|record| record.setting.is_none() && record.setting_signal.is_none());
     if let Some(wanted) = options.columns.get(&Channel::Setting).filter(|_| is_without && !records.is_empty()) {
-        return Err(RecordError::NoSettingColumn { wanted: wanted.clone() });
+        return Err(ColumnError::NoSettingColumn { wanted: wanted.clone() }.into());
     }
     assignment::assign_settings(&mut records, &options.settings, &mut notes);
     common_clock::settle(&mut records, &mut notes);
@@ -256,10 +256,11 @@ fn whole(options: &Options, folders: &[(PathBuf, Options)]) -> Result<Options, R
     let mut said = folders.iter().filter_map(|(folder, of)| of.positive.map(|p| (folder, p)));
     if let (None, Some((first, positive))) = (options.positive, said.next()) {
         if let Some((second, _)) = said.find(|(_, other)| *other != positive) {
-            return Err(RecordError::ProfilesDisagree {
+            return Err(SelectionError::ProfilesDisagree {
                 first: first.join(profile::FILE),
                 second: second.join(profile::FILE),
-            });
+            }
+            .into());
         }
         whole.positive = Some(positive);
     }

@@ -11,7 +11,7 @@ use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{ColumnError, Place, RecordError, SampleError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -216,7 +216,12 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
         }
         _ => None,
     };
-    RecordError::Header { at: at.clone(), found: shortened(first_line), near, understood: vocabulary() }
+    RecordError::Column(ColumnError::Header {
+        at: at.clone(),
+        found: shortened(first_line),
+        near,
+        understood: vocabulary(),
+    })
 }
 
 /// Largest number of columns that a message lists.
@@ -250,7 +255,9 @@ impl Layout {
         is_clock: &dyn Fn(usize) -> bool,
     ) -> Result<Layout, RecordError> {
         if header.len() > MOST_COLUMNS {
-            return Err(RecordError::TooManyColumns { at: at.clone(), line, found: header.len(), most: MOST_COLUMNS });
+            return Err(
+                ColumnError::TooManyColumns { at: at.clone(), line, found: header.len(), most: MOST_COLUMNS }.into()
+            );
         }
         let header: Vec<&str> = header.iter().map(|cell| cell.as_ref().trim().trim_start_matches('\u{feff}')).collect();
         let found = || {
@@ -276,14 +283,15 @@ impl Layout {
                     // column is therefore no error here.
                     [] if channel == Channel::Setting => None,
                     [] => {
-                        return Err(RecordError::NoSuchColumn {
+                        return Err(ColumnError::NoSuchColumn {
                             at: at.clone(),
                             line,
                             channel,
                             wanted: wanted.clone(),
                             found: found(),
                             near: maybe(nearest(wanted, header.iter().copied())),
-                        });
+                        }
+                        .into());
                     }
                     ref several => return Err(several_columns(at, line, channel, &header, several)),
                 }
@@ -399,7 +407,7 @@ impl Layout {
                 (0..header.len()).filter(|i| columns.iter().all(|c| c.index != *i)).map(|i| header[i]).collect();
             let near = maybe(nearest_to(example, &free));
             let units = without_unit.iter().map(|(channel, _)| *channel).collect();
-            return Err(RecordError::MissingColumn {
+            return Err(ColumnError::MissingColumn {
                 at: at.clone(),
                 line,
                 missing,
@@ -407,10 +415,11 @@ impl Layout {
                 found: found(),
                 near,
                 units,
-            });
+            }
+            .into());
         }
         if !without_unit.is_empty() {
-            return Err(RecordError::MissingUnit { at: at.clone(), line, columns: without_unit, headed });
+            return Err(ColumnError::MissingUnit { at: at.clone(), line, columns: without_unit, headed }.into());
         }
         let test = headings.iter().position(|h| *h == Heading::Test);
         let ignored = (0..header.len())
@@ -439,7 +448,7 @@ impl Layout {
 /// Makes the error that asks the user to select one of several columns.
 fn several_columns(at: &Place, line: usize, channel: Channel, header: &[&str], several: &[usize]) -> RecordError {
     let headings = several.iter().take(LISTED).map(|i| header[*i].to_string()).collect();
-    RecordError::SeveralColumns { at: at.clone(), line, channel, headings }
+    RecordError::Column(ColumnError::SeveralColumns { at: at.clone(), line, channel, headings })
 }
 
 /// Retains only the candidates for which `better` is true, if there are several candidates and some are better.
@@ -460,12 +469,14 @@ fn unit_of<'a, S: AsRef<str> + 'a>(
     mut units: Option<impl Iterator<Item = &'a S>>,
     options: &Options,
 ) -> Result<Option<Unit>, RecordError> {
-    let unknown = |unit: &str| RecordError::UnknownUnit {
-        at: at.clone(),
-        line,
-        column: column.to_string(),
-        unit: unit.to_string(),
-        channel,
+    let unknown = |unit: &str| {
+        RecordError::Column(ColumnError::UnknownUnit {
+            at: at.clone(),
+            line,
+            column: column.to_string(),
+            unit: unit.to_string(),
+            channel,
+        })
     };
     if channel == Channel::Setting {
         return Ok(Some(Unit::AsWritten));
@@ -595,7 +606,7 @@ impl Rows {
     /// else 1 s. No rows are an error.
     pub fn finish(mut self, sample_time: Option<f64>) -> Result<Vec<Samples>, RecordError> {
         if self.lines.is_empty() {
-            return Err(RecordError::NoData { at: self.at });
+            return Err(SampleError::NoData { at: self.at }.into());
         }
         let mut notes = std::mem::take(&mut self.notes);
         if !self.layout.ignored.is_empty() {

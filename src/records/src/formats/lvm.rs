@@ -9,7 +9,7 @@ use crate::data::samples::Samples;
 use crate::dates::clock;
 use crate::dates::date_order::DateOrder;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{FileError, Place, RecordError, SampleError};
 use crate::options::Options;
 use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
@@ -81,11 +81,11 @@ pub(crate) fn parse(
     options: &Options,
     budget: &Budget,
 ) -> Result<Vec<Samples>, RecordError> {
-    let wrong = |cause: String| RecordError::Binary { file: at.file.clone(), kind: KIND, cause };
+    let wrong = |cause: String| RecordError::File(FileError::Binary { file: at.file.clone(), kind: KIND, cause });
     let separator = if text.lines().take(40).any(|l| l.starts_with("Separator,")) { b',' } else { b'\t' };
     let packets = packets(text, separator);
     let Some(first) = packets.first() else {
-        return Err(RecordError::NoData { at: at.clone() });
+        return Err(SampleError::NoData { at: at.clone() }.into());
     };
     packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.into_error(at))?;
     let header = header(first, options, separator);
@@ -129,12 +129,14 @@ pub(crate) fn parse(
                     continue;
                 }
                 let cell = cells.get(column.index).map_or("", String::as_str);
-                values.push(number(cell, separator != b',').ok_or_else(|| RecordError::Cell {
-                    at: at.clone(),
-                    line: *line,
-                    column: column.heading.clone(),
-                    text: cell.trim().chars().take(40).collect(),
-                    hint: None,
+                values.push(number(cell, separator != b',').ok_or_else(|| {
+                    RecordError::Sample(SampleError::Cell {
+                        at: at.clone(),
+                        line: *line,
+                        column: column.heading.clone(),
+                        text: cell.trim().chars().take(40).collect(),
+                        hint: None,
+                    })
                 })?);
             }
             same_clock(packet, &cells, has_x, separator).map_err(|()| {

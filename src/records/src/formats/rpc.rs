@@ -7,7 +7,7 @@ use std::collections::HashMap;
 
 use crate::columns::table::{Layout, MOST_COLUMNS, Rows, is_header, no_header};
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{FileError, RecordError};
 use crate::options::Options;
 use crate::source::Source;
 
@@ -19,7 +19,7 @@ const KEY: usize = 32;
 /// Reads the test of one file.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let (at, bytes) = (source.place(), &source.bytes);
-    let wrong = |cause: String| RecordError::Rpc { file: source.file.clone(), cause };
+    let wrong = |cause: String| RecordError::File(FileError::Rpc { file: source.file.clone(), cause });
     let header = Header::read(bytes).map_err(wrong)?;
     let names: Vec<&str> =
         (1..=header.channels).map(|n| header.text(&format!("DESC.CHAN_{n}")).unwrap_or("")).collect();

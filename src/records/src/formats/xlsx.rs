@@ -10,7 +10,7 @@ use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{FileError, Place, RecordError, SampleError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -27,7 +27,7 @@ const COLUMNS: u32 = 1000;
 /// Reads the tests of all sheets of a workbook, cell by cell, so that announced sizes and remote cells use no memory.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, budget, .. } = &source;
-    let broken = |cause: String| RecordError::Workbook { file: file.clone(), cause };
+    let broken = |cause: String| RecordError::File(FileError::Workbook { file: file.clone(), cause });
     let mut workbook = open(&source).map_err(broken)?;
     let sheets = workbook.sheet_names();
     let mut tests = Vec::new();
@@ -76,7 +76,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
 pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
     /// Largest number of rows of a short table.
     const ROWS: usize = 10_000;
-    let broken = |cause: String| RecordError::Workbook { file: source.file.clone(), cause };
+    let broken = |cause: String| RecordError::File(FileError::Workbook { file: source.file.clone(), cause });
     let mut workbook = open(source).map_err(broken)?;
     for sheet in workbook.sheet_names() {
         let Ok(mut cells) = workbook.worksheet_cells_reader(&sheet) else { continue };
@@ -105,7 +105,7 @@ pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<Strin
             return Ok(rows);
         }
     }
-    Err(RecordError::NoData { at: source.place() })
+    Err(SampleError::NoData { at: source.place() }.into())
 }
 
 /// Opens a workbook. Rejects one whose parts do not fit into memory.
@@ -196,7 +196,7 @@ impl<'a> Sheet<'a> {
                 if row.iter().all(is_empty) {
                     return Ok(());
                 }
-                let fault = RecordError::NoData { at: self.at.clone() };
+                let fault = RecordError::Sample(SampleError::NoData { at: self.at.clone() });
                 return self.beside.take(false, index as usize + 1, &text(), false, fault);
             }
             let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
@@ -216,12 +216,14 @@ impl<'a> Sheet<'a> {
         if !columns.iter().any(|c| row.get(c.index).is_some_and(|cell| !is_empty(cell))) {
             return Ok(());
         }
-        let no_number = |column: &Column, cell: &Data| RecordError::Cell {
-            at: self.at.clone(),
-            line,
-            column: column.heading.clone(),
-            text: cell.to_string().chars().take(40).collect(),
-            hint: Some(phrases::FORMAT_AS_NUMBERS),
+        let no_number = |column: &Column, cell: &Data| {
+            RecordError::Sample(SampleError::Cell {
+                at: self.at.clone(),
+                line,
+                column: column.heading.clone(),
+                text: cell.to_string().chars().take(40).collect(),
+                hint: Some(phrases::FORMAT_AS_NUMBERS),
+            })
         };
         let text_in = |c: &&Column| !is_figure(row.get(c.index));
         let time = columns.iter().find(|c| c.channel == Channel::Time);
@@ -278,7 +280,7 @@ impl<'a> Sheet<'a> {
             (None, Some((line, header))) => {
                 // Check the header even if there are no rows below it.
                 Layout::new(&self.at, *line as usize + 1, header, self.units.as_deref(), self.options, false)?;
-                Err(RecordError::NoData { at: self.at })
+                Err(SampleError::NoData { at: self.at }.into())
             }
             (None, None) => Ok(Vec::new()),
         }

@@ -9,7 +9,7 @@ use super::clicks::{TableRows, clicks, only};
 use super::columns::{self, PeakOptions, PeakPair, Stroke, Taken};
 use crate::columns::heading::{Heading, heading};
 use crate::columns::table::{HEADER_WITHIN, is_units_row, number};
-use crate::error::{Place, RecordError};
+use crate::error::{FileError, Place, RecordError};
 use crate::file_extensions::extension;
 use crate::formats::csv::cells_of_text;
 use crate::formats::unsupported;
@@ -115,7 +115,7 @@ fn cells(file: &Path) -> Result<TableRows, RecordError> {
         return cells_of_workbook(&source);
     }
     match unsupported::known(&source.bytes) {
-        Some((is, instead)) => Err(RecordError::NotRead { file: file.into(), is, instead }),
+        Some((is, instead)) => Err(FileError::NotRead { file: file.into(), is, instead }.into()),
         None => cells_of_text(&source),
     }
 }
@@ -127,7 +127,7 @@ fn cells(file: &Path) -> Result<TableRows, RecordError> {
 pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordError> {
     let rows = cells(file)?;
     let at = Place::file(file);
-    let wrong = |line: usize, cause: String| RecordError::PeakTable { at: at.clone(), line, cause };
+    let wrong = |line: usize, cause: String| RecordError::File(FileError::PeakTable { at: at.clone(), line, cause });
     let clicks = clicks(&rows);
     let known = || clicks.iter().copied().map(format_number).collect::<Vec<_>>().join(", ");
     let rows = match options.clicks {

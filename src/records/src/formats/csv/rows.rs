@@ -15,7 +15,7 @@ use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;
 use crate::dates::date_order::DateOrder;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{Place, RecordError, SampleError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -137,7 +137,7 @@ pub(super) fn table(
             let cells = record.iter().map(|cell| String::from_utf8_lossy(cell).into_owned()).collect::<Vec<_>>();
             let column = columns.iter().find(|c| text_of(c));
             let fault = column.map_or_else(
-                || RecordError::NoData { at: at.clone() },
+                || RecordError::Sample(SampleError::NoData { at: at.clone() }),
                 |c| no_number(at, line, &c.heading, cell(c.index)),
             );
             beside.take(!rows.is_empty() || !tests.is_empty(), line, &cells, figures, fault)?;
@@ -150,7 +150,7 @@ pub(super) fn table(
             // If the delimiter is a comma, decimal commas split every number in two. The parts then contain no point.
             let commas = delimiter == b',' && found <= 2 * expected && record.iter().all(is_whole);
             let hint = commas.then_some(phrases::QUOTE_DECIMAL_COMMAS);
-            let fault = RecordError::Fields { at: at.clone(), line, found, expected, hint };
+            let fault = RecordError::Sample(SampleError::Fields { at: at.clone(), line, found, expected, hint });
             let fields: Vec<String> = surplus().map(std::borrow::Cow::into_owned).collect();
             let figures = fields.iter().any(|field| is_figure(field, decimal_comma));
             if !beside.surplus(line, &fields, figures, fault) {
@@ -200,13 +200,13 @@ pub(super) fn table(
 }
 
 fn no_number(at: &Place, line: usize, heading: &str, cell: &str) -> RecordError {
-    RecordError::Cell {
+    RecordError::Sample(SampleError::Cell {
         at: at.clone(),
         line,
         column: heading.to_owned(),
         text: cell.trim().chars().take(40).collect(),
         hint: cell.contains(',').then_some(phrases::WITHOUT_SEPARATORS),
-    }
+    })
 }
 
 /// Reads the time between samples, s, from the lines above a table: `Sample Rate: 1000 Hz`, `dt [ms];0,5`. If several

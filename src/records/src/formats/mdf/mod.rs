@@ -23,7 +23,7 @@ use std::collections::HashMap;
 
 use crate::columns::table::{Layout, Rows, channel_of, is_header, no_header};
 use crate::data::samples::Samples;
-use crate::error::{Place, RecordError};
+use crate::error::{FileError, Place, RecordError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel as Kind;
@@ -51,7 +51,7 @@ pub(crate) fn is_one(bytes: &[u8]) -> bool {
 /// Reads the tests of one MDF file.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, bytes, budget } = &source;
-    let wrong = |cause: String| RecordError::Binary { file: file.clone(), kind: KIND, cause };
+    let wrong = |cause: String| RecordError::File(FileError::Binary { file: file.clone(), kind: KIND, cause });
     let found = if version3::is_one(bytes) {
         version3::groups(bytes, budget)
     } else {
