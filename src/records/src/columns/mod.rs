@@ -3,5 +3,6 @@
 pub(crate) mod crank;
 pub mod delimiter;
 pub(crate) mod heading;
+pub(crate) mod layout;
 pub(crate) mod non_data_lines;
 pub(crate) mod table;

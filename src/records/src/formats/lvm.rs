@@ -4,7 +4,8 @@
 //! restarts is another test.
 
 use crate::columns::delimiter::split;
-use crate::columns::table::{Layout, Rows, is_header, no_header, number};
+use crate::columns::layout::Layout;
+use crate::columns::table::{Rows, is_header, no_header, number};
 use crate::data::samples::Samples;
 use crate::dates::clock;
 use crate::dates::date_order::DateOrder;
@@ -98,7 +99,7 @@ pub(crate) fn parse(
     let mut layout = Layout::new(at, first.line, &header, Some(&units), options, step.is_some() && !has_x)?;
     if !has_x && layout.columns.iter().all(|c| c.channel != crate::Channel::Time) {
         // The time from the packet headers becomes the last column.
-        layout.columns.push(crate::columns::table::Column {
+        layout.columns.push(crate::columns::layout::Column {
             channel: crate::Channel::Time,
             index: usize::MAX,
             unit: Unit::Second,

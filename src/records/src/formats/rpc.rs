@@ -5,7 +5,8 @@
 
 use std::collections::HashMap;
 
-use crate::columns::table::{Layout, MOST_COLUMNS, Rows, is_header, no_header};
+use crate::columns::layout::{Layout, MOST_COLUMNS};
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
 use crate::error::{FileError, RecordError};
 use crate::options::Options;

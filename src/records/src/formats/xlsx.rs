@@ -4,8 +4,9 @@ mod archive;
 
 use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx};
 
+use crate::columns::layout::{Column, Layout};
 use crate::columns::non_data_lines::NonDataLines;
-use crate::columns::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header_near, number};
+use crate::columns::table::{HEADER_WITHIN, Rows, is_header, is_units_row, no_header_near, number};
 use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;

@@ -8,7 +8,8 @@ use std::io::Read as _;
 use matfile::{Array, MatFile, NumericData};
 
 use crate::columns::heading::{Heading, HeadingUnit, heading};
-use crate::columns::table::{Layout, Rows, is_header, no_header};
+use crate::columns::layout::Layout;
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
 use crate::error::{FileError, RecordError};
 use crate::options::Options;

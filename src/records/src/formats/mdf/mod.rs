@@ -21,7 +21,8 @@ mod version3;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use crate::columns::table::{Layout, Rows, channel_of, is_header, no_header};
+use crate::columns::layout::{Layout, channel_of};
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
 use crate::error::{FileError, Place, RecordError};
 use crate::messages::phrases;

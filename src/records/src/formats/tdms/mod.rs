@@ -8,7 +8,8 @@ mod value;
 
 use std::collections::HashMap;
 
-use crate::columns::table::{Layout, Rows, is_header, no_header};
+use crate::columns::layout::Layout;
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
 use crate::dates::file_dates::Dates;
 use crate::error::{FileError, Place, RecordError};
