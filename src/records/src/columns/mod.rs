@@ -1,5 +1,6 @@
 //! Tables: the column headings, their channels and units, and the rows below them. All file formats use this module.
 
+pub(crate) mod channel_headings;
 pub(crate) mod crank;
 pub mod delimiter;
 pub(crate) mod heading;
