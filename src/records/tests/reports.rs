@@ -139,7 +139,7 @@ fn a_stump_beside_a_gap_is_left_out() {
     let Some(path) = reported("gap_in_one_test") else { return };
     let campaign = read(&path);
     assert_eq!(campaign.records.len(), 5, "{:?}", campaign.records.iter().map(|r| &r.name).collect::<Vec<_>>());
-    assert!(describe(&campaign).contains("hold no whole cycle and were left out"), "{}", describe(&campaign));
+    assert!(describe(&campaign).contains("holds no whole cycle and was left out"), "{}", describe(&campaign));
 }
 
 #[test]
