@@ -14,7 +14,7 @@ use crate::messages::phrases;
 use dashpot_messages::{Sentence, Template};
 
 pub use columns::ColumnError;
-pub use file::FileError;
+pub use file::RecordFileError;
 pub use imposed_motion::ImposedMotionError;
 pub use plausibility::{FilesUnit, PlausibilityError};
 pub use samples::SampleError;
@@ -54,7 +54,7 @@ impl fmt::Display for Place {
 #[error(transparent)]
 #[allow(missing_docs)] // the types of the errors are the meaning of the variants
 pub enum RecordError {
-    File(#[from] FileError),
+    File(#[from] RecordFileError),
     Column(#[from] ColumnError),
     Sample(#[from] SampleError),
     ImposedMotion(#[from] ImposedMotionError),

@@ -46,7 +46,7 @@ pub use data::test_metadata::TestMetadata;
 pub use dates::clock;
 pub use dates::date_order::DateOrder;
 pub use error::{
-    ColumnError, FileError, FilesUnit, ImposedMotionError, Place, PlausibilityError, RecordError, SampleError,
+    ColumnError, FilesUnit, ImposedMotionError, Place, PlausibilityError, RecordError, RecordFileError, SampleError,
     SelectionError,
 };
 pub use file_extensions::{EXTENSIONS, is_record_name};

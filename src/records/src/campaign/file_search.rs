@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::profile::{self, Profile};
 use crate::data::record::Note;
-use crate::error::{FileError, RecordError, SelectionError};
+use crate::error::{RecordError, RecordFileError, SelectionError};
 use crate::file_extensions::is_record_name;
 use crate::glob;
 use crate::messages::phrases;
@@ -61,7 +61,7 @@ pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) 
     let mut search = Search { given: options, found: &mut found, known: HashMap::new(), seen: HashSet::new(), notes };
     for path in paths {
         if !path.exists() {
-            return Err(FileError::NotFound { file: path.clone() }.into());
+            return Err(RecordFileError::NotFound { file: path.clone() }.into());
         }
         let own = search.options(&profile::folder_of(path), None)?;
         if path.is_dir() {
@@ -204,7 +204,7 @@ fn entries(
     has_profile: bool,
     notes: &mut Vec<Note>,
 ) -> Result<(Vec<PathBuf>, Vec<PathBuf>), RecordError> {
-    let unreadable = |source| RecordError::File(FileError::Read { file: folder.to_owned(), source });
+    let unreadable = |source| RecordError::File(RecordFileError::Read { file: folder.to_owned(), source });
     let mut entries = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         entries.push(entry.map_err(unreadable)?.path());

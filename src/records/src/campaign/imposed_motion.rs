@@ -7,7 +7,7 @@ use super::profile::{self, Profile};
 use super::record_file::read_file;
 use crate::cleaning::corrections::calibrate;
 use crate::data::samples::Samples;
-use crate::error::{ColumnError, FileError, ImposedMotionError, RecordError, SampleError};
+use crate::error::{ColumnError, ImposedMotionError, RecordError, RecordFileError, SampleError};
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
 use crate::signal::consistency;
@@ -44,7 +44,7 @@ pub struct MotionRecord {
 /// increase. A missing setting column, or a velocity that contradicts the displacement, is also a [`RecordError`].
 pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, RecordError> {
     if !file.exists() {
-        return Err(FileError::NotFound { file: file.into() }.into());
+        return Err(RecordFileError::NotFound { file: file.into() }.into());
     }
     let setting_column = options.columns.get(&Channel::Setting).filter(|_| !options.ignore.contains(&Channel::Setting));
     let mut options = with_profile(file, options)?;

@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::data::record::Note;
-use crate::error::{ColumnError, FileError, RecordError, SampleError};
+use crate::error::{ColumnError, RecordError, RecordFileError, SampleError};
 use crate::messages::phrases;
 use dashpot_messages::Sentence;
 
@@ -61,8 +61,8 @@ impl RecordError {
     }
 }
 
-fn reach_of_file(error: &FileError) -> Reach {
-    use FileError as E;
+fn reach_of_file(error: &RecordFileError) -> Reach {
+    use RecordFileError as E;
     match error {
         E::UnknownType { .. }
         | E::NotRead { .. }
@@ -210,7 +210,7 @@ mod tests {
     }
 
     fn stray() -> RecordError {
-        RecordError::File(FileError::EmptyFile { file: "e.csv".into() })
+        RecordError::File(RecordFileError::EmptyFile { file: "e.csv".into() })
     }
 
     fn sieve(faults: Vec<RecordError>) -> Sieve {

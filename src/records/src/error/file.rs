@@ -15,7 +15,7 @@ fn size(bytes: u64) -> String {
 #[derive(Debug, thiserror::Error)]
 #[error("{}", self.sentence())]
 #[allow(missing_docs)] // the messages are the meaning of variants and fields
-pub enum FileError {
+pub enum RecordFileError {
     NotFound {
         file: PathBuf,
     },
@@ -93,33 +93,39 @@ pub enum FileError {
     },
 }
 
-impl FileError {
+impl RecordFileError {
     /// Returns the cause and the remedy as a translatable sentence.
     pub fn sentence(&self) -> Sentence {
         match self {
-            FileError::NotFound { file } => locate_file(phrases::NOT_FOUND, file),
-            FileError::Read { file, source } => locate_file(phrases::CANNOT_READ, file).with_foreign("cause", source),
-            FileError::NotRegular { file } => locate_file(phrases::NOT_REGULAR, file),
-            FileError::TooLarge { file, bytes, largest } => {
+            RecordFileError::NotFound { file } => locate_file(phrases::NOT_FOUND, file),
+            RecordFileError::Read { file, source } => {
+                locate_file(phrases::CANNOT_READ, file).with_foreign("cause", source)
+            }
+            RecordFileError::NotRegular { file } => locate_file(phrases::NOT_REGULAR, file),
+            RecordFileError::TooLarge { file, bytes, largest } => {
                 locate_file(phrases::TOO_LARGE, file).with("size", size(*bytes)).with("largest", size(*largest))
             }
-            FileError::TooCostly { at } => locate(phrases::TOO_COSTLY, at),
-            FileError::EmptyFile { file } => locate_file(phrases::EMPTY_FILE, file),
-            FileError::UnknownType { file } => locate_file(phrases::UNKNOWN_TYPE, file).with_sentence("kinds", kinds()),
-            FileError::NotRead { file, is, instead } => {
+            RecordFileError::TooCostly { at } => locate(phrases::TOO_COSTLY, at),
+            RecordFileError::EmptyFile { file } => locate_file(phrases::EMPTY_FILE, file),
+            RecordFileError::UnknownType { file } => {
+                locate_file(phrases::UNKNOWN_TYPE, file).with_sentence("kinds", kinds())
+            }
+            RecordFileError::NotRead { file, is, instead } => {
                 locate_file(phrases::NOT_READ, file).with_sentence("is", *is).with_sentence("instead", *instead)
             }
-            FileError::Workbook { file, cause } => locate_file(phrases::WORKBOOK, file).with_foreign("cause", cause),
-            FileError::Mat { file, cause } => locate_file(phrases::MAT, file).with_foreign("cause", cause),
-            FileError::Binary { file, kind, cause } => {
+            RecordFileError::Workbook { file, cause } => {
+                locate_file(phrases::WORKBOOK, file).with_foreign("cause", cause)
+            }
+            RecordFileError::Mat { file, cause } => locate_file(phrases::MAT, file).with_foreign("cause", cause),
+            RecordFileError::Binary { file, kind, cause } => {
                 locate_file(phrases::BINARY, file).with("kind", kind).with_foreign("cause", cause)
             }
-            FileError::Rpc { file, cause } => locate_file(phrases::RPC, file).with_foreign("cause", cause),
-            FileError::PeakTable { at, line, cause } => {
+            RecordFileError::Rpc { file, cause } => locate_file(phrases::RPC, file).with_foreign("cause", cause),
+            RecordFileError::PeakTable { at, line, cause } => {
                 locate_line(phrases::IN_LINE, at, line).with_sentence("cause", Sentence::as_it_is(cause))
             }
-            FileError::IsPeakTable { file } => locate_file(phrases::IS_PEAK_TABLE, file),
-            FileError::Profile { file, cause } => {
+            RecordFileError::IsPeakTable { file } => locate_file(phrases::IS_PEAK_TABLE, file),
+            RecordFileError::Profile { file, cause } => {
                 locate_file(phrases::OF_FILE, file).with_sentence("text", Sentence::as_it_is(cause))
             }
         }

@@ -10,7 +10,7 @@ use crate::data::samples::Samples;
 use crate::dates::clock;
 use crate::dates::date_order::DateOrder;
 use crate::dates::file_dates::Dates;
-use crate::error::{FileError, Place, RecordError, SampleError};
+use crate::error::{Place, RecordError, RecordFileError, SampleError};
 use crate::options::Options;
 use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
@@ -82,7 +82,7 @@ pub(crate) fn parse(
     options: &Options,
     budget: &Budget,
 ) -> Result<Vec<Samples>, RecordError> {
-    let wrong = |cause: String| RecordError::File(FileError::Binary { file: at.file.clone(), kind: KIND, cause });
+    let wrong = |cause: String| RecordError::File(RecordFileError::Binary { file: at.file.clone(), kind: KIND, cause });
     let separator = if text.lines().take(40).any(|l| l.starts_with("Separator,")) { b',' } else { b'\t' };
     let packets = packets(text, separator);
     let Some(first) = packets.first() else {

@@ -11,7 +11,7 @@ use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;
 use crate::dates::file_dates::Dates;
-use crate::error::{FileError, Place, RecordError, SampleError};
+use crate::error::{Place, RecordError, RecordFileError, SampleError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -28,7 +28,7 @@ const COLUMNS: u32 = 1000;
 /// Reads the tests of all sheets of a workbook, cell by cell, so that announced sizes and remote cells use no memory.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, budget, .. } = &source;
-    let broken = |cause: String| RecordError::File(FileError::Workbook { file: file.clone(), cause });
+    let broken = |cause: String| RecordError::File(RecordFileError::Workbook { file: file.clone(), cause });
     let mut workbook = open(&source).map_err(broken)?;
     let sheets = workbook.sheet_names();
     let mut tests = Vec::new();
@@ -77,7 +77,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
 pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
     /// Largest number of rows of a short table.
     const ROWS: usize = 10_000;
-    let broken = |cause: String| RecordError::File(FileError::Workbook { file: source.file.clone(), cause });
+    let broken = |cause: String| RecordError::File(RecordFileError::Workbook { file: source.file.clone(), cause });
     let mut workbook = open(source).map_err(broken)?;
     for sheet in workbook.sheet_names() {
         let Ok(mut cells) = workbook.worksheet_cells_reader(&sheet) else { continue };

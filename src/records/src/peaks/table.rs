@@ -9,7 +9,7 @@ use super::clicks::{TableRows, clicks, only};
 use super::columns::{self, PeakOptions, PeakPair, Stroke, Taken};
 use crate::columns::heading::{Heading, heading};
 use crate::columns::table::{HEADER_WITHIN, is_units_row, number};
-use crate::error::{FileError, Place, RecordError};
+use crate::error::{Place, RecordError, RecordFileError};
 use crate::file_extensions::extension;
 use crate::formats::csv::cells_of_text;
 use crate::formats::unsupported;
@@ -115,7 +115,7 @@ fn cells(file: &Path) -> Result<TableRows, RecordError> {
         return cells_of_workbook(&source);
     }
     match unsupported::known(&source.bytes) {
-        Some((is, instead)) => Err(FileError::NotRead { file: file.into(), is, instead }.into()),
+        Some((is, instead)) => Err(RecordFileError::NotRead { file: file.into(), is, instead }.into()),
         None => cells_of_text(&source),
     }
 }
@@ -156,7 +156,7 @@ struct Table<'a> {
 
 impl Table<'_> {
     fn error(&self, line: usize, cause: String) -> RecordError {
-        FileError::PeakTable { at: Place::file(self.file), line, cause }.into()
+        RecordFileError::PeakTable { at: Place::file(self.file), line, cause }.into()
     }
 
     /// Returns the line of a row in the file.
