@@ -50,6 +50,7 @@ pub mod settings;
 mod texts;
 mod tree;
 mod untestable;
+mod verdict;
 mod warmer;
 mod wording;
 
