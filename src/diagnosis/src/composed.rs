@@ -3,15 +3,15 @@
 use super::advice::Advice;
 use super::calibration::confidence;
 use super::changes::{Change, changes};
-use super::decisions::{MATERIAL, MISSED, NAMED, QUIET, UNEXPLAINED};
-use super::detection_limit;
+use super::decisions::{MATERIAL, NAMED};
 use super::effects::{self, meaning};
 use super::name_of::name_of;
 use super::outcome::*;
 use super::plausible::is_plausible;
 use super::prepared::Against;
-use super::rivals::{LISTED, Open, explained};
-use super::wording::{percent, physical};
+use super::rivals::{Open, explained};
+use super::verdict::{Judged, VerdictContext};
+use super::wording::physical;
 use super::{improved, phrases, proposed_test, regions, tree, untestable};
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::gap::{errors, gap_closed, in_noise, noise_alone, rms, rms_of_tests};
@@ -26,12 +26,11 @@ use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::inventory::{Instead, InventoryItem, Status, inventory};
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
 use dashpot_estimation::unknowns::Unknown;
-use dashpot_estimation::vocabulary::Unnamed;
 use dashpot_identification::describe_priors;
 use dashpot_messages::Sentence;
 use dashpot_messages::Template;
 use dashpot_records::Record;
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 /// Ending of the names of those cavitation forms in which the damper has no force at the beginning of a stroke.
 const LOST_STROKE: &str = "begins with a lost stroke";
@@ -40,11 +39,6 @@ const LOST_STROKE: &str = "begins with a lost stroke";
 const DECIDED: f64 = 0.9;
 /// Largest number of competing effects among which the proposed tests distinguish.
 const UNDECIDED: usize = 3;
-/// Gain of the log posterior over the best structure above which the summary describes the residual as an unnamed
-/// error. Unnamed errors are tilted guides, load cell hysteresis and a resonance. The threshold represents the prior
-/// odds of such an error.
-const UNNAMED: f64 = 1.0;
-
 /// Records, tests and structures from which the outcome of a diagnosis is composed.
 pub(super) struct Composed<'a> {
     /// Remarks about a reference that contains measurements of the diagnosed campaign, has the opposite positive
@@ -67,12 +61,16 @@ fn is_change(component: &Component) -> bool {
     component.form == "changed"
 }
 
-/// Verdict of a diagnosis with its summary, suspects and notes.
-struct Judged {
-    verdict: Verdict,
-    summary: Sentence,
-    suspects: Vec<Rival>,
-    notes: Vec<Sentence>,
+/// Residuals of a model in the samples of each test, N.
+struct Residuals {
+    fitted: Vec<Vec<f64>>,
+    left: Vec<Vec<f64>>,
+}
+
+/// Residuals of the given model and of the best structure.
+struct BeforeAndAfter {
+    before: Residuals,
+    after: Residuals,
 }
 
 impl Composed<'_> {
@@ -115,21 +113,8 @@ impl Composed<'_> {
         let probabilities = self.search.probabilities(at);
         let probability = |effect: &str| confidence(probabilities.get(effect).copied().unwrap_or(0.0), is_against);
         let tree = tree::tree(&self.search, at);
-        let of = |structure: &Structure, tests: &[Test]| {
-            errors(self.accuracy(), &structure.hypothesis, &structure.refit.theta, self.records, tests)
-                .unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
-        };
-        let (fitted_before, left_before) = (of(&self.start, &self.fitted), of(&self.start, &self.left));
-        let (fitted_after, left_after) = (of(&self.best, &self.fitted), of(&self.best, &self.left));
-        let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
-        // The calibration applies only to added effects. Effects of the given model that the best structure also has
-        // keep the probability that the search computed.
-        for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
-            item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
-            if item.probability < 0.5 {
-                item.or_instead = self.instead_of(item.effect, &probabilities);
-            }
-        }
+        let residuals = self.residuals();
+        let items = self.items(&probabilities, &probability);
         let force = |effect: &str| items.iter().find(|i| i.effect == effect).map_or(0.0, |i| i.force_n_rms);
         let others = alternatives(&self.search, &self.best, at, &self.fitted);
         let known = interval_ends(&self.best, &others, &self.fitted);
@@ -141,121 +126,175 @@ impl Composed<'_> {
         };
         let (changed_items, inventory): (Vec<InventoryItem>, Vec<InventoryItem>) =
             items.iter().cloned().partition(|item| item.form == "changed");
-        let measured_rms = rms_of_tests(&self.fitted.iter().map(|t| t.forces().to_vec()).collect::<Vec<_>>());
-        let material: Vec<&Change> = changed
-            .iter()
-            .filter(|c| changed_items.iter().any(|i| i.effect == c.name) && c.force_n_rms > MATERIAL * measured_rms)
-            .collect();
+        let material = self.material_changes(&changed, &changed_items);
         let (names, immaterial) = self.named(&inventory, &probability);
-        let judged = self.judge(&names, &material, &inventory, &probability, changed.len() > material.len());
-        let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
-        let noise = noise_of(&self.fitted);
-        let left_noise = (!self.left.is_empty()).then(|| noise_of(&self.left));
-        let figures = |fitted: &[Vec<f64>], left: &[Vec<f64>]| {
-            let every: Vec<f64> = self
-                .fitted
-                .iter()
-                .zip(fitted)
-                .chain(self.left.iter().zip(left))
-                .map(|(t, e)| {
-                    100.0 * e.iter().map(|x| x.abs()).sum::<f64>() / e.len().max(1) as f64 / t.segment.top.max(1e-9)
-                })
-                .collect();
-            Figures {
-                rmse_n: rms_of_tests(fitted),
-                error_percent: every.iter().sum::<f64>() / every.len().max(1) as f64,
-                left_out_rmse_n: (!left.is_empty()).then(|| rms_of_tests(left)),
-                noise_n: noise,
-                left_out_noise_n: left_noise,
-            }
-        };
-        let gap = if self.left.is_empty() {
-            gap_closed(&self.fitted, &fitted_before, &fitted_after)
-        } else {
-            gap_closed(&self.left, &left_before, &left_after)
-        };
+        let judged = VerdictContext {
+            start: &self.start,
+            best: &self.best,
+            search: &self.search,
+            fitted: &self.fitted,
+            is_against,
+            names: &names,
+            changed: &material,
+            has_small_changes: changed.len() > material.len(),
+            items: &inventory,
+            suspects: self.open(&probability).suspects(),
+            probability: &probability,
+        }
+        .judge();
         let effects: Vec<&str> = names.iter().map(|c| c.effect).collect();
         let could_not_test = untestable::list(&self.situation, &self.search.visible, &effects, &self.advice());
         let summary = match judged.verdict {
             Verdict::NothingMissing => self.with_limits(judged.summary.clone(), &could_not_test),
             _ => judged.summary.clone(),
         };
-        let about_the_reference = self.about_the_reference(&names);
-        let or_warm_gas = (effects.contains(&"force_drift") && !self.situation.temperature_measured)
-            .then(|| phrases::OR_WARM_GAS.into());
         let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
         let findings = self.findings(&names, &inventory, &tree, &probability, &ends, &judged.suspects);
         let estimates = improved::estimates(&self.best, known.as_deref());
-        let too_small = (!immaterial.is_empty()).then(|| {
-            let effects = immaterial.iter().map(|c| c.effect);
-            Sentence::from(phrases::IMMATERIAL).with_names("effects", effects, phrases::COMMA)
-        });
         let of_priors = describe_priors(&self.best.hypothesis.priors, &estimates);
-        let mut diagnosis = Diagnosis {
+        let about_the_reference = self.about_the_reference(&names);
+        let about_names = self.about_names(&names, &immaterial);
+        let next_tests = self.next_tests(&judged, &names, &probability);
+        let notes = judged.notes.into_iter().chain(about_the_reference.clone());
+        let notes = notes.chain(self.reference_remarks.iter().cloned()).chain(about_names).chain(of_priors).collect();
+        let params = |structure: &Structure| structure.hypothesis.params(&structure.refit.theta);
+        Diagnosis {
             verdict: judged.verdict,
             summary,
             findings,
             inventory,
-            changes: changed,
-            suspects: judged.suspects.clone(),
-            regions: regions::regions(&self.fitted, &fitted_before),
-            before: figures(&fitted_before, &left_before),
-            after: figures(&fitted_after, &left_after),
-            gap_closed: gap.filter(|_| self.best.key() != self.start.key()),
+            suspects: judged.suspects,
+            regions: regions::regions(&self.fitted, &residuals.before.fitted),
+            before: self.figures(&residuals.before),
+            after: self.figures(&residuals.after),
+            gap_closed: self.gap_closed(&residuals).filter(|_| self.best.key() != self.start.key()),
             unexplained_fraction: 1.0 - explained(before, after).clamp(0.0, 1.0),
             tree,
-            next_tests: self.next_tests(&judged, &names, &probability),
+            next_tests,
             could_not_test,
             shifts: self.shifts(),
-            notes: judged
-                .notes
-                .iter()
-                .chain(&about_the_reference)
-                .chain(&self.reference_remarks)
-                .cloned()
-                .chain(or_warm_gas)
-                .chain(too_small)
-                .chain(of_priors)
-                .collect(),
+            notes,
             about_the_reference,
-            tests: Vec::new(),
+            tests: self.test_outcomes(&residuals),
             iterations: vec![self.tried(&probability)],
-            base: self.start.hypothesis.params(&self.start.refit.theta),
-            improved: self.best.hypothesis.params(&self.best.refit.theta),
-            reference: self
-                .against
-                .as_ref()
-                .map(|Against { structure, .. }| structure.hypothesis.params(&structure.refit.theta)),
+            base: params(&self.start),
+            improved: params(&self.best),
+            reference: self.against.as_ref().map(|against| params(&against.structure)),
             priors: self.best.hypothesis.priors.clone(),
             corrections: self.corrections(),
             estimates,
             measured: improved::measured(&self.best, &ends),
+            changes: changed,
+        }
+    }
+
+    /// Computes the residuals of the given model and of the best structure.
+    fn residuals(&self) -> BeforeAndAfter {
+        let of = |structure: &Structure, tests: &[Test]| {
+            errors(self.accuracy(), &structure.hypothesis, &structure.refit.theta, self.records, tests)
+                .unwrap_or_else(|| vec![vec![f64::NAN]; tests.len()])
         };
-        for (held_out, tests, before, after) in
-            [(false, &self.fitted, &fitted_before, &fitted_after), (true, &self.left, &left_before, &left_after)]
-        {
-            for (k, test) in tests.iter().enumerate() {
-                let measured = test.forces().to_vec();
-                let less = |e: &[f64]| measured.iter().zip(e).map(|(m, e)| m - e).collect();
-                diagnosis.tests.push(TestOutcome {
-                    test: test.segment.name.clone(),
-                    left_out: held_out,
-                    before_rmse_n: rms(&before[k]),
-                    after_rmse_n: rms(&after[k]),
-                    noise_n: test.mean_noise,
-                    allowed_n: test.segment.scale,
-                    curves: Curves {
-                        displacement: test.inputs().iter().map(|i| i.displacement.unwrap_or(0.0)).collect(),
-                        velocity: test.inputs().iter().map(|i| i.velocity).collect(),
-                        before: less(&before[k]),
-                        after: less(&after[k]),
-                        measured,
-                        frequency: test.frequency,
-                    },
-                });
+        let both =
+            |structure: &Structure| Residuals { fitted: of(structure, &self.fitted), left: of(structure, &self.left) };
+        BeforeAndAfter { before: both(&self.start), after: both(&self.best) }
+    }
+
+    /// Returns the inventory of the best structure and its changes.
+    fn items(
+        &self,
+        probabilities: &BTreeMap<&'static str, f64>,
+        probability: &dyn Fn(&str) -> f64,
+    ) -> Vec<InventoryItem> {
+        let mut items = inventory(&self.best, Some(&self.start), &self.fitted, &probability);
+        // The calibration applies only to added effects. Effects of the given model that the best structure also has
+        // keep the probability that the search computed.
+        for item in items.iter_mut().filter(|item| item.status == Status::Kept) {
+            item.probability = probabilities.get(item.effect).copied().unwrap_or(0.0);
+            if item.probability < 0.5 {
+                item.or_instead = self.instead_of(item.effect, probabilities);
             }
         }
-        diagnosis
+        items
+    }
+
+    /// Returns the changes whose force is large enough to name them.
+    fn material_changes<'c>(&self, changed: &'c [Change], items: &[InventoryItem]) -> Vec<&'c Change> {
+        let measured_rms = rms_of_tests(&self.fitted.iter().map(|t| t.forces().to_vec()).collect::<Vec<_>>());
+        let is_material = |change: &&Change| {
+            items.iter().any(|i| i.effect == change.name) && change.force_n_rms > MATERIAL * measured_rms
+        };
+        changed.iter().filter(is_material).collect()
+    }
+
+    /// Summarizes residuals of a model.
+    fn figures(&self, residuals: &Residuals) -> Figures {
+        let noise_of = |tests: &[Test]| rms(&tests.iter().map(|t| t.mean_noise).collect::<Vec<_>>());
+        let fitted = self.fitted.iter().zip(&residuals.fitted);
+        let every: Vec<f64> = fitted
+            .chain(self.left.iter().zip(&residuals.left))
+            .map(|(t, e)| {
+                100.0 * e.iter().map(|x| x.abs()).sum::<f64>() / e.len().max(1) as f64 / t.segment.top.max(1e-9)
+            })
+            .collect();
+        Figures {
+            rmse_n: rms_of_tests(&residuals.fitted),
+            error_percent: every.iter().sum::<f64>() / every.len().max(1) as f64,
+            left_out_rmse_n: (!residuals.left.is_empty()).then(|| rms_of_tests(&residuals.left)),
+            noise_n: noise_of(&self.fitted),
+            left_out_noise_n: (!self.left.is_empty()).then(|| noise_of(&self.left)),
+        }
+    }
+
+    /// Returns the fraction of the gap between the error of the given model and the noise that the best structure
+    /// closes. Uses the left-out tests if there are any.
+    fn gap_closed(&self, BeforeAndAfter { before, after }: &BeforeAndAfter) -> Option<f64> {
+        if self.left.is_empty() {
+            gap_closed(&self.fitted, &before.fitted, &after.fitted)
+        } else {
+            gap_closed(&self.left, &before.left, &after.left)
+        }
+    }
+
+    /// Returns the errors and curves of all tests, first of the fitted ones.
+    fn test_outcomes(&self, BeforeAndAfter { before, after }: &BeforeAndAfter) -> Vec<TestOutcome> {
+        let outcome = |left_out: bool, test: &Test, before: &[f64], after: &[f64]| {
+            let measured = test.forces().to_vec();
+            let less = |e: &[f64]| measured.iter().zip(e).map(|(m, e)| m - e).collect();
+            TestOutcome {
+                test: test.segment.name.clone(),
+                left_out,
+                before_rmse_n: rms(before),
+                after_rmse_n: rms(after),
+                noise_n: test.mean_noise,
+                allowed_n: test.segment.scale,
+                curves: Curves {
+                    displacement: test.inputs().iter().map(|i| i.displacement.unwrap_or(0.0)).collect(),
+                    velocity: test.inputs().iter().map(|i| i.velocity).collect(),
+                    before: less(before),
+                    after: less(after),
+                    measured,
+                    frequency: test.frequency,
+                },
+            }
+        };
+        let fitted = self.fitted.iter().enumerate();
+        let left = self.left.iter().enumerate();
+        fitted
+            .map(|(k, test)| outcome(false, test, &before.fitted[k], &after.fitted[k]))
+            .chain(left.map(|(k, test)| outcome(true, test, &before.left[k], &after.left[k])))
+            .collect()
+    }
+
+    /// Returns notes about named effects, and about effects whose force is too small to name them.
+    fn about_names(&self, names: &[&Component], immaterial: &[&Component]) -> Vec<Sentence> {
+        let has_drift = names.iter().any(|c| c.effect == "force_drift");
+        let or_warm_gas =
+            (has_drift && !self.situation.temperature_measured).then(|| Sentence::from(phrases::OR_WARM_GAS));
+        let too_small = (!immaterial.is_empty()).then(|| {
+            let effects = immaterial.iter().map(|c| c.effect);
+            Sentence::from(phrases::IMMATERIAL).with_names("effects", effects, phrases::COMMA)
+        });
+        or_warm_gas.into_iter().chain(too_small).collect()
     }
 
     /// Returns the effect that is new in the most probable structure without `effect`, compared with the best
@@ -271,133 +310,6 @@ impl Composed<'_> {
 
     fn open<'a>(&'a self, probability: &'a dyn Fn(&str) -> f64) -> Open<'a> {
         Open { search: &self.search, start: &self.start, best: &self.best, probability }
-    }
-
-    fn judge(
-        &self,
-        names: &[&Component],
-        changed: &[&Change],
-        items: &[InventoryItem],
-        probability: &dyn Fn(&str) -> f64,
-        has_small_changes: bool,
-    ) -> Judged {
-        let (before, after) = (self.start.evidence.mean(), self.best.evidence.mean());
-        let times =
-            |mean_square: f64| Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()));
-        let mut notes = Vec::new();
-        let suspects = self.open(probability).suspects();
-        let gone: Vec<&InventoryItem> =
-            items.iter().filter(|i| matches!(i.status, Status::Removed | Status::Replaced)).collect();
-        let left = 1.0 - explained(before, after);
-        if !names.is_empty() {
-            if left > UNEXPLAINED && after.sqrt() > QUIET {
-                notes.push(Sentence::from(phrases::NOT_EXPLAINED).with("percent", percent(left.min(1.0))));
-            }
-            let name = |c: &&Component| {
-                let replaces = items.iter().find(|i| i.effect == c.effect).and_then(|i| i.replaces);
-                let said = Sentence::from(phrases::NAME_AND_SURE)
-                    .with("effect", c.effect)
-                    .with("percent", percent(probability(c.effect)));
-                let instead = replaces.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));
-                said.with_any("instead", instead)
-            };
-            let names = names.iter().map(name).collect();
-            let also: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
-            let also = (!also.is_empty())
-                .then(|| Sentence::from(phrases::ALSO_CHANGED).with_list("changes", also, phrases::COMMA));
-            // The mean over tests may be at the level of the noise although the model misses one test clearly.
-            let missed = self.missed_tests();
-            let is_complete = after.sqrt() <= QUIET && missed.is_none();
-            notes.extend(missed);
-            let rest = if is_complete { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
-            let is_smaller = after < before;
-            let [before, after] = [before, after].map(|mean_square| format!("{:.2}", mean_square.sqrt()));
-            // A more probable structure may have fewer or other parameters and no smaller residual.
-            let falls = is_smaller && before != after;
-            let residual = Sentence::from(if falls { phrases::RESIDUAL_FALLS } else { phrases::RESIDUAL_STAYS })
-                .with("before", before)
-                .with("after", after);
-            let summary =
-                Sentence::from(if self.against.is_some() { phrases::NEW_EFFECT } else { phrases::HAS_EFFECT })
-                    .with_list("names", names, phrases::COMMA)
-                    .with_sentence("residual", residual)
-                    .with_sentence("rest", Sentence::from(rest))
-                    .with_any("also", also);
-            return Judged { verdict: Verdict::Named, summary, suspects, notes };
-        }
-        if !changed.is_empty() {
-            let told: Vec<Sentence> = changed.iter().take(TOLD).map(|c| c.sentence()).collect();
-            let more = changed.len().saturating_sub(TOLD);
-            let more = (more > 0).then(|| Sentence::from(phrases::MORE_NUMBERS).with("count", more));
-            // A residual above `QUIET` is mainly form error of the model, which may conceal further changes. The
-            // summary then states that more may have changed.
-            let rest = if after.sqrt() <= QUIET {
-                if has_small_changes { phrases::NOTHING_ELSE_LARGE } else { phrases::NOTHING_ELSE }.into()
-            } else {
-                Sentence::from(phrases::MORE_MAY_HAVE_CHANGED).with_sentence("times", times(after))
-            };
-            let summary = Sentence::from(phrases::CHANGED)
-                .with_list("numbers", told, phrases::COMMA)
-                .with_sentence("more", more.unwrap_or(rest));
-            return Judged { verdict: Verdict::Changed, summary, suspects, notes };
-        }
-        let unnamed = self.search.unnamed.iter().max_by(|a, b| a.1.total_cmp(&b.1));
-        let looks_like = unnamed.filter(|(_, log)| *log > self.search.best.log_posterior + UNNAMED);
-        if after.sqrt() <= QUIET && suspects.iter().all(|r| r.confidence < 0.5 * NAMED) && gone.is_empty() {
-            notes.extend(self.missed_tests());
-            notes.extend(detection_limit::note(&self.fitted, &self.best.evidence.mean_squares));
-            let none = (1.0 - suspects.iter().map(|r| r.confidence).sum::<f64>()).clamp(0.01, 0.99);
-            let nothing = if self.against.is_some() { phrases::UNCHANGED } else { phrases::NOTHING_MISSING };
-            let summary = Sentence::from(nothing).with("percent", percent(none)).with_sentence("times", times(after));
-            return Judged { verdict: Verdict::NothingMissing, summary, suspects: Vec::new(), notes };
-        }
-        let open: f64 = suspects.iter().map(|r| r.confidence).sum();
-        if open >= NAMED && looks_like.is_none() {
-            let effects: Vec<&str> = suspects.iter().map(|s| s.effect).collect();
-            let why = match effects[..] {
-                [one] => Sentence::from(phrases::TOO_FEW_TESTS).with("effect", one),
-                _ => Sentence::from(phrases::NOT_APART).with_names("effects", effects, phrases::AND),
-            };
-            let summary =
-                Sentence::from(phrases::CANNOT_TELL).with_sentence("times", times(before)).with_sentence("why", why);
-            return Judged { verdict: Verdict::Ambiguous, summary, suspects, notes };
-        }
-        if !gone.is_empty() && after.sqrt() <= QUIET {
-            let names = gone.iter().map(|i| i.effect);
-            let summary = Sentence::from(phrases::NEEDLESS).with_names("effects", names, phrases::COMMA);
-            return Judged { verdict: Verdict::NothingMissing, summary, suspects, notes };
-        }
-        let nearest = match (looks_like, suspects.first()) {
-            (Some((unnamed, _)), _) => Some(Sentence::from(phrases::LOOKS_LIKE).with_sentence("what", looks(*unnamed))),
-            (None, Some(first)) => Some(
-                Sentence::from(phrases::NEAREST).with("effect", first.effect).with("percent", percent(first.fraction)),
-            ),
-            (None, None) => None,
-        };
-        let summary =
-            Sentence::from(phrases::UNKNOWN_EFFECT).with_sentence("times", times(before)).with_any("nearest", nearest);
-        Judged { verdict: Verdict::UnknownEffect, summary, suspects, notes }
-    }
-
-    /// Names the tests in which the residual of the best structure exceeds [`MISSED`]. Returns `None` if there is none.
-    fn missed_tests(&self) -> Option<Sentence> {
-        let mut loud: Vec<(&Test, f64)> = self
-            .fitted
-            .iter()
-            .zip(&self.best.evidence.mean_squares)
-            .filter(|(_, square)| **square > MISSED * MISSED)
-            .map(|(test, square)| (test, square.sqrt()))
-            .collect();
-        loud.sort_by(|a, b| b.1.total_cmp(&a.1));
-        // A record may be divided into sections, each of which is a test. The note names such a record once, with its
-        // worst section.
-        let mut named = BTreeSet::new();
-        loud.retain(|(test, _)| named.insert(test.record));
-        let told = |(t, times): &(&Test, f64)| {
-            Sentence::from(phrases::TEST_AND_TIMES).with("test", &t.segment.name).with("times", format!("{times:.1}"))
-        };
-        let tests: Vec<Sentence> = loud.iter().take(LISTED).map(told).collect();
-        (!tests.is_empty()).then(|| Sentence::from(phrases::STILL_MISSED).with_list("tests", tests, phrases::COMMA))
     }
 
     /// Returns the trials, most probable first. Each trial adds one form of an effect to the best structure.
@@ -635,16 +547,5 @@ impl Composed<'_> {
 
     fn advice(&self) -> Advice {
         Advice::new(self.records, &self.situation)
-    }
-}
-
-/// Largest number of changes that the summary lists.
-const TOLD: usize = 3;
-
-fn looks(unnamed: Unnamed) -> Template {
-    match unnamed {
-        Unnamed::Guides => phrases::LIKE_GUIDES,
-        Unnamed::LoadCell => phrases::LIKE_LOAD_CELL,
-        Unnamed::Resonance => phrases::LIKE_RESONANCE,
     }
 }

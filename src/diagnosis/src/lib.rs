@@ -51,6 +51,7 @@ pub mod settings;
 mod texts;
 mod tree;
 mod untestable;
+mod verdict;
 mod warmer;
 mod wording;
 

@@ -7,8 +7,8 @@ use super::advice::Advice;
 use super::effects::remedy;
 use super::outcome::NextTest;
 use super::phrases;
-use dashpot_core::Input;
 use dashpot_core::element;
+use dashpot_core::{Input, Model};
 use dashpot_estimation::hypothesis::Hypothesis;
 use dashpot_estimation::samples::Test;
 use dashpot_estimation::scale::Scale;
@@ -107,17 +107,9 @@ fn sine(d: &Design) -> Test {
     }
 }
 
-/// Proposes the tests that best distinguish the rivals, the most informative first. The displacements in the result
-/// have the direction and the zero of the campaign's files.
-///
-/// For a single rival, or if no sine distinguishes the rivals, the result names the test that shows each effect best.
-pub fn propose(rivals: &[Rival], rig: &Rig, advice: &Advice) -> Vec<NextTest> {
-    let frame = &advice.frame;
-    if rivals.len() < 2 {
-        return rivals.iter().map(|r| in_words(r.effect, advice)).collect();
-    }
+/// Returns the sines that the rig can run, with all side forces that matter for the rivals.
+fn designs(rivals: &[Rival], rig: &Rig, advice: &Advice) -> Vec<Design> {
     let zero = [0.0];
-    let scale = Scale::from_params(&rivals[0].hypothesis.base);
     let side_matters = rivals.iter().any(|r| r.effect == element!("side_force_friction").name());
     let sides = if side_matters && !rig.side_forces.is_empty() { &rig.side_forces[..] } else { &zero };
     let mut designs = Vec::new();
@@ -132,7 +124,7 @@ pub fn propose(rivals: &[Rival], rig: &Rig, advice: &Advice) -> Vec<NextTest> {
             let means: &[f64] = if room > 0.2 * span { &[0.0, -1.0, 1.0] } else { &[0.0] };
             for mean in means {
                 for side_force in sides {
-                    let sine = frame.restrict_sine(RigSine {
+                    let sine = advice.frame.restrict_sine(RigSine {
                         amplitude_m: amplitude,
                         frequency_hz: frequency,
                         mean_m: middle + mean * room,
@@ -147,84 +139,125 @@ pub fn propose(rivals: &[Rival], rig: &Rig, advice: &Advice) -> Vec<NextTest> {
             }
         }
     }
-    let ready: Option<Vec<_>> = rivals.iter().map(|r| r.hypothesis.model_by(Accuracy::Single, r.theta)).collect();
-    let Some(ready) = ready else { return Vec::new() };
-    let mut judged: Vec<(f64, f64, [usize; 2], Design)> = designs
-        .par_iter()
-        .filter_map(|design| {
-            let test = [sine(design)];
-            let forces: Vec<Vec<f64>> = rivals
-                .iter()
-                .zip(&ready)
-                .map(|(r, model)| r.hypothesis.forces_with(model, &test[0], r.theta))
-                .collect();
-            if !forces.iter().flatten().all(|f| f.is_finite()) {
-                return None;
-            }
-            let rms = |f: &mut dyn Iterator<Item = f64>| (f.map(|x| x * x).sum::<f64>() / PER_CYCLE as f64).sqrt();
-            if forces.iter().flatten().any(|f| f.abs() > BEYOND * rig.force) {
-                return None;
-            }
-            let size = rms(&mut forces[0].iter().copied());
-            let noise = NOISE.0 * size + NOISE.1 * scale.force();
-            let mut best = (0.0, 0.0, [0, 1]);
-            for i in 0..rivals.len() {
-                for j in i + 1..rivals.len() {
-                    let d = rms(&mut forces[i].iter().zip(&forces[j]).map(|(a, b)| a - b));
-                    let use_of_it =
-                        rivals[i].confidence.max(0.05) * rivals[j].confidence.max(0.05) * (d / noise).powi(2);
-                    if use_of_it > best.0 {
-                        best = (use_of_it, d, [i, j]);
-                    }
+    designs
+}
+
+/// How well a test distinguishes two rivals.
+struct Separation {
+    /// Squared difference of the forces over the noise, weighted with the probabilities of the rivals.
+    utility: f64,
+    /// Root mean square difference of the forces, N.
+    difference: f64,
+    /// Positions of the rivals that the test distinguishes best.
+    pair: [usize; 2],
+    design: Design,
+}
+
+/// Rivals with their models, and the rig on which tests are simulated.
+struct Simulation<'a> {
+    rivals: &'a [Rival<'a>],
+    models: Vec<Model>,
+    rig: &'a Rig,
+    scale: Scale,
+}
+
+impl Simulation<'_> {
+    /// Simulates a test with all rivals. Returns `None` if a force is not finite, or too large for the rig.
+    fn separate(&self, design: &Design) -> Option<Separation> {
+        let rivals = self.rivals;
+        let test = [sine(design)];
+        let with_models = rivals.iter().zip(&self.models);
+        let forces: Vec<Vec<f64>> =
+            with_models.map(|(r, model)| r.hypothesis.forces_with(model, &test[0], r.theta)).collect();
+        let is_safe = |force: &f64| force.is_finite() && force.abs() <= BEYOND * self.rig.force;
+        if !forces.iter().flatten().all(is_safe) {
+            return None;
+        }
+        let rms = |f: &mut dyn Iterator<Item = f64>| (f.map(|x| x * x).sum::<f64>() / PER_CYCLE as f64).sqrt();
+        let size = rms(&mut forces[0].iter().copied());
+        let noise = NOISE.0 * size + NOISE.1 * self.scale.force();
+        let mut best = Separation { utility: 0.0, difference: 0.0, pair: [0, 1], design: *design };
+        for i in 0..rivals.len() {
+            for j in i + 1..rivals.len() {
+                let difference = rms(&mut forces[i].iter().zip(&forces[j]).map(|(a, b)| a - b));
+                let utility =
+                    rivals[i].confidence.max(0.05) * rivals[j].confidence.max(0.05) * (difference / noise).powi(2);
+                if utility > best.utility {
+                    best = Separation { utility, difference, pair: [i, j], ..best };
                 }
             }
-            Some((best.0, best.1, best.2, *design))
-        })
-        .collect();
-    judged.sort_by(|a, b| b.0.total_cmp(&a.0));
-    // Sines that are neighbors in the grid of amplitudes and frequencies are redundant, so only one test of each
-    // amplitude is proposed.
-    let mut told: Vec<NextTest> = Vec::new();
-    let mut amplitudes = Vec::new();
-    for (_, difference, [i, j], d) in judged {
-        if amplitudes.contains(&d.amplitude) || difference <= 0.0 {
-            continue;
         }
-        let (a, b) = (rivals[i].effect, rivals[j].effect);
-        amplitudes.push(d.amplitude);
-        let sine = frame.count(RigSine { amplitude_m: d.amplitude, frequency_hz: d.frequency, mean_m: d.mean });
+        Some(best)
+    }
+}
+
+impl Separation {
+    /// Describes the test, with displacements in the direction and with the zero of the campaign's files.
+    fn describe(&self, rivals: &[Rival], advice: &Advice) -> NextTest {
+        let (design, frame) = (&self.design, &advice.frame);
+        let [a, b] = self.pair.map(|k| rivals[k].effect);
+        let (amplitude_m, frequency_hz) = (design.amplitude, design.frequency);
+        let sine = frame.count(RigSine { amplitude_m, frequency_hz, mean_m: design.mean });
         let unit = frame.unit;
-        let figure = |length: f64| length / unit.to_si(1.0);
         let about = (sine.mean_m.abs() > 1e-4).then(|| {
-            Sentence::from(phrases::ABOUT_MEAN).with("mean", advice.position(d.mean)).with("unit", unit.name())
+            Sentence::from(phrases::ABOUT_MEAN).with("mean", advice.position(design.mean)).with("unit", unit.name())
         });
-        let under = (d.side_force > 0.0)
-            .then(|| Sentence::from(phrases::UNDER_SIDE_FORCE).with("force", format!("{:.0}", d.side_force)));
-        told.push(NextTest {
+        let under = (design.side_force > 0.0)
+            .then(|| Sentence::from(phrases::UNDER_SIDE_FORCE).with("force", format!("{:.0}", design.side_force)));
+        NextTest {
             text: Sentence::from(phrases::RUN_SINE)
-                .with("amplitude", short(figure(sine.amplitude_m)))
+                .with("amplitude", short(sine.amplitude_m / unit.to_si(1.0)))
                 .with("unit", unit.name())
                 .with("frequency", short(sine.frequency_hz))
                 .with_any("about", about)
                 .with_any("under", under)
                 .with("a", a)
                 .with("b", b)
-                .with("difference", newtons(difference, 1)),
+                .with("difference", newtons(self.difference, 1)),
             amplitude_m: Some(sine.amplitude_m),
             frequency_hz: Some(sine.frequency_hz),
             mean_displacement_m: Some(sine.mean_m),
-            side_force_n: Some(d.side_force),
-            difference_n: Some(difference),
+            side_force_n: Some(design.side_force),
+            difference_n: Some(self.difference),
             separates: vec![a, b],
-        });
-        if told.len() == TOLD {
+        }
+    }
+}
+
+/// Proposes the tests that best distinguish the rivals, the most informative first. The displacements in the result
+/// have the direction and the zero of the campaign's files.
+///
+/// For a single rival, or if no sine distinguishes the rivals, the result names the test that shows each effect best.
+pub fn propose(rivals: &[Rival], rig: &Rig, advice: &Advice) -> Vec<NextTest> {
+    if rivals.len() < 2 {
+        return rivals.iter().map(|r| in_words(r.effect, advice)).collect();
+    }
+    let models: Option<Vec<_>> = rivals.iter().map(|r| r.hypothesis.model_by(Accuracy::Single, r.theta)).collect();
+    let Some(models) = models else { return Vec::new() };
+    let simulation = Simulation { rivals, models, rig, scale: Scale::from_params(&rivals[0].hypothesis.base) };
+    let designs = designs(rivals, rig, advice);
+    let mut separations: Vec<Separation> =
+        designs.par_iter().filter_map(|design| simulation.separate(design)).collect();
+    separations.sort_by(|a, b| b.utility.total_cmp(&a.utility));
+    // Sines that are neighbors in the grid of amplitudes and frequencies are redundant, so only one test of each
+    // amplitude is proposed.
+    let mut proposed: Vec<NextTest> = Vec::new();
+    let mut amplitudes = Vec::new();
+    for separation in separations {
+        let amplitude = separation.design.amplitude;
+        if amplitudes.contains(&amplitude) || separation.difference <= 0.0 {
+            continue;
+        }
+        amplitudes.push(amplitude);
+        proposed.push(separation.describe(rivals, advice));
+        if proposed.len() == TOLD {
             break;
         }
     }
-    if told.is_empty() {
-        told.extend(rivals.iter().take(2).map(|r| in_words(r.effect, advice)));
+    if proposed.is_empty() {
+        proposed.extend(rivals.iter().take(2).map(|r| in_words(r.effect, advice)));
     }
-    told
+    proposed
 }
 
 /// Formats a number with up to four decimals.

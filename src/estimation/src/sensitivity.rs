@@ -12,11 +12,11 @@ use super::unknowns::{CurveName, Unknown, Unknowns, anchor};
 use dashpot_core::parameter::Number;
 use dashpot_core::step::paths::{Carried, FollowPaths, Seed, StageDerivatives};
 use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_paths, force_in_place};
-use dashpot_core::{Model, Output, Params};
+use dashpot_core::{Input, Model, Output, Params, State};
 use dashpot_core::{
     assembly::Elements,
     element::Motion,
-    parameter::{Acts, Element, acts},
+    parameter::{Acts, Element, Row, acts},
 };
 use dashpot_core::{element, number};
 use nalgebra::DMatrix;
@@ -255,11 +255,8 @@ impl Run {
         let params = unknowns.params(theta);
         let model = Model::new(&params).ok()?;
         let integration = accuracy.integration(&params, &model);
-        let model = model.with_integration(integration);
-        // Both ends of a difference use equal numbers of substeps, so that the difference is due to the damper alone.
-        let prepare = |params: &Params| Some(Model::new(params).ok()?.with_integration(integration));
         let mut run = Run {
-            model,
+            model: model.with_integration(integration),
             params,
             directions: Vec::new(),
             columns: Vec::new(),
@@ -289,71 +286,79 @@ impl Run {
                 run.columns.push(column);
                 continue;
             }
-            let step = 1e-5 * theta[column].abs().max(1e-3);
-            let moved = |d: f64| {
-                let mut theta = theta.to_vec();
-                theta[column] += d;
-                unknowns.params(&theta)
-            };
-            match acts(row.group) {
-                // If the series spring carries the whole force, friction and preload influence the mass.
-                Acts::Friction | Acts::Preload if !run.model.elements().carries_whole() => {
-                    let (plus, minus) = (prepare(&moved(step))?, prepare(&moved(-step))?);
-                    run.beside.push(ParallelUnknown { column, plus, minus, per: 0.5 / step });
-                }
-                // An internal moving mass moves with the piston, not parallel to it.
-                Acts::Stateful | Acts::Stop
-                    if !(row == number!("moving_mass").row()
-                        && run.params.number(number!("moving_mass_place")) == 1.0)
-                        // Friction and gas behind a series spring that carries the whole force are also not parallel to
-                        // the mass.
-                        && !(run.model.elements().carries_whole()
-                            && [Some(element!("presliding_friction")), Some(element!("gas_spring"))]
-                                .contains(&row.element())) =>
-                {
-                    let element = row.element();
-                    let is_on = element.is_some_and(|element| run.params.is_on(element));
-                    let alone = |mut params: Params| {
-                        params.disable_all();
-                        if let Some(element) = element {
-                            params.enable(element, is_on);
-                        }
-                        prepare(&params)
-                    };
-                    let (params, step) = off_the_bound(&moved, step, &run.params);
-                    let far = (column, alone(params)?, 1.0 / step);
-                    match run.alone.iter_mut().find(|alone| alone.element == element) {
-                        Some(known) => known.moved.push(far),
-                        None => run.alone.push(Alone { element, model: alone(run.params)?, moved: vec![far] }),
+            run.add_difference(row, &Perturbation { unknowns, theta, column, integration })?;
+        }
+        run.add_curve_points();
+        Some(run)
+    }
+
+    /// Adds the models from which the derivative with respect to one unknown is computed as a difference. `row` is the
+    /// unknown's parameter.
+    fn add_difference(&mut self, row: &Row, change: &Perturbation) -> Option<()> {
+        let (column, step) = (change.column, change.step());
+        match acts(row.group) {
+            // If the series spring carries the whole force, friction and preload influence the mass.
+            Acts::Friction | Acts::Preload if !self.model.elements().carries_whole() => {
+                let (plus, minus) = (change.model(step)?, change.model(-step)?);
+                self.beside.push(ParallelUnknown { column, plus, minus, per: 0.5 / step });
+            }
+            Acts::Stateful | Acts::Stop if self.is_parallel(row) => {
+                let element = row.element();
+                let is_on = element.is_some_and(|element| self.params.is_on(element));
+                let alone = |mut params: Params| {
+                    params.disable_all();
+                    if let Some(element) = element {
+                        params.enable(element, is_on);
                     }
-                }
-                _ => {
-                    let (_, step) = off_the_bound(&moved, step, &run.params);
-                    let (moved, step) = match prepare(&moved(step)) {
-                        Some(model) => (model, step),
-                        None => (prepare(&moved(-step))?, -step),
-                    };
-                    run.moved.push((column, moved, 1.0 / step));
+                    change.prepare(&params)
+                };
+                let (params, step) = change.off_the_bound(step, &self.params);
+                let far = (column, alone(params)?, 1.0 / step);
+                match self.alone.iter_mut().find(|alone| alone.element == element) {
+                    Some(known) => known.moved.push(far),
+                    None => self.alone.push(Alone { element, model: alone(self.params)?, moved: vec![far] }),
                 }
             }
+            _ => {
+                let (_, step) = change.off_the_bound(step, &self.params);
+                let (moved, step) = match change.model(step) {
+                    Some(model) => (model, step),
+                    None => (change.model(-step)?, -step),
+                };
+                self.moved.push((column, moved, 1.0 / step));
+            }
         }
-        for (curve, weights) in [(CurveName::Fv, run.fv.points()), (CurveName::Spring, run.spring.points())] {
-            if run.rises.iter().any(|r| r.1 == curve) {
-                let first = run.directions.len();
+        Some(())
+    }
+
+    /// Returns whether an element with a state, or a stop, is parallel to the mass. An internal moving mass moves with
+    /// the piston. Friction and gas behind a series spring that carries the whole force are not parallel either.
+    fn is_parallel(&self, row: &Row) -> bool {
+        let is_internal =
+            row == number!("moving_mass").row() && self.params.number(number!("moving_mass_place")) == 1.0;
+        let is_behind = self.model.elements().carries_whole()
+            && [Some(element!("presliding_friction")), Some(element!("gas_spring"))].contains(&row.element());
+        !is_internal && !is_behind
+    }
+
+    /// Adds a direction for each point of a curve that has unknowns.
+    fn add_curve_points(&mut self) {
+        for (curve, weights) in [(CurveName::Fv, self.fv.points()), (CurveName::Spring, self.spring.points())] {
+            if self.rises.iter().any(|r| r.1 == curve) {
+                let first = self.directions.len();
                 for point in 0..weights {
-                    run.directions.push(match curve {
+                    self.directions.push(match curve {
                         CurveName::Fv => Direction::FvPoint(point),
                         CurveName::Spring => Direction::SpringPoint(point),
                     });
-                    run.columns.push(NOWHERE);
+                    self.columns.push(NOWHERE);
                 }
                 match curve {
-                    CurveName::Fv => run.first_fv = first,
-                    CurveName::Spring => run.first_spring = first,
+                    CurveName::Fv => self.first_fv = first,
+                    CurveName::Spring => self.first_spring = first,
                 }
             }
         }
-        Some(run)
     }
 
     /// Computes the forces at the samples of a segment, N.
@@ -369,37 +374,14 @@ impl Run {
         let model = &self.model;
         let mut rows = DMatrix::zeros(self.unknowns, n);
         let mut forces = Vec::with_capacity(n);
-        let p = self.directions.len();
-        let spring = (self.first_spring != NOWHERE).then_some(&self.spring);
         let has_paths = model.elements().has_paths();
-        let mut through = PathsTangent {
-            directions: &self.directions,
-            fv: &self.fv,
-            spring,
-            first_fv: self.first_fv,
-            first_spring: self.first_spring,
-            carried: vec![Carried::NONE; if has_paths { p } else { 0 }],
-        };
-        let mut tangent = Tangent {
-            directions: &self.directions,
-            fv: &self.fv,
-            spring,
-            first_fv: self.first_fv,
-            first_spring: self.first_spring,
-            x: vec![0.0; p],
-            v: vec![0.0; p],
-            stages: vec![(vec![0.0; p], vec![0.0; p]); 8],
-            lengths: [0.0; 5],
-        };
-        let series = model.elements().paths.series_compliance;
         let has_series = model.elements().has_series();
+        let mut through = self.paths_tangent(if has_paths { self.directions.len() } else { 0 });
+        let mut tangent = self.tangent();
         let mut state = model.steady_state(&segment.input[0]);
         let mut output = Output::ZERO;
-        let mut by_point = vec![0.0; p];
-        let curves = [(self.first_fv, CurveName::Fv), (self.first_spring, CurveName::Spring)].map(|(first, curve)| {
-            let u = self.params.list(curve.abscissae());
-            (first, anchor(u), u.len())
-        });
+        let mut by_direction = vec![0.0; self.directions.len()];
+        let curves = self.curve_parts();
         for i in 0..n {
             let input = &segment.input[i];
             if i == 0 {
@@ -410,74 +392,123 @@ impl Run {
                 advance(model, &mut state, input, segment.dt[i], &mut tangent, &mut output);
             }
             forces.push(output.force);
-            let x = state.displacement;
             if has_paths {
-                for (to, carried) in by_point.iter_mut().zip(&through.carried) {
+                for (to, carried) in by_direction.iter_mut().zip(&through.carried) {
                     *to = carried.force;
                 }
             } else if has_series {
-                for (k, direction) in self.directions.iter().enumerate() {
-                    by_point[k] = -series.stiffness * tangent.x[k] - series.damping * tangent.v[k]
-                        + match direction {
-                            Direction::SeriesStiffness => x - state.mass_displacement,
-                            Direction::SeriesDamping => input.velocity - state.mass_velocity,
-                            _ => 0.0,
-                        };
-                }
+                self.differentiate_series(&tangent, &state, input, &mut by_direction);
             } else {
-                by_point.fill(0.0);
-                for (k, direction) in self.directions.iter().enumerate() {
-                    if let Direction::SpringPower(power) = direction {
-                        by_point[k] = x * x.abs().powi(*power);
-                    }
-                }
-                if self.first_fv != NOWHERE {
-                    let (first, w) = self.fv.evaluate(input.velocity);
-                    for (k, w) in w.iter().enumerate().take(self.fv.points()) {
-                        by_point[self.first_fv + first + k] += w;
-                    }
-                }
-                if self.first_spring != NOWHERE {
-                    let (first, w) = self.spring.evaluate(x);
-                    for (k, w) in w.iter().enumerate().take(self.spring.points()) {
-                        by_point[self.first_spring + first + k] += w;
-                    }
-                }
+                self.differentiate_rigid(state.displacement, input.velocity, &mut by_direction);
             }
             let mut row = rows.column_mut(i);
             for (k, column) in self.columns.iter().enumerate() {
                 if *column != NOWHERE {
-                    row[*column] = by_point[k];
+                    row[*column] = by_direction[k];
                 }
             }
-            // A force increment between two points raises the force at the outer one and at all points farther from
-            // zero.
-            for (first, zero, count) in curves.iter().filter(|curve| curve.0 != NOWHERE) {
-                let points = &mut by_point[*first..first + count];
-                for k in (zero + 1..count - 1).rev() {
-                    points[k] += points[k + 1];
-                }
-                for k in 1..=*zero {
-                    points[k] += points[k - 1];
-                }
-            }
+            sum_increments(&curves, &mut by_direction);
             for (column, curve, point) in &self.rises {
-                let (first, zero, _) = curves[if *curve == CurveName::Fv { 0 } else { 1 }];
-                row[*column] = if *point > zero { by_point[first + point] } else { -by_point[first + point] };
+                let CurvePart { first, zero, .. } = curves[if *curve == CurveName::Fv { 0 } else { 1 }];
+                row[*column] = if *point > zero { by_direction[first + point] } else { -by_direction[first + point] };
             }
             if !self.beside.is_empty() {
-                let at = Motion {
-                    displacement: x,
-                    velocity: input.velocity,
-                    side_force: input.side_force,
-                    temperature: input.temperature,
-                };
+                let displacement = state.displacement;
+                let Input { velocity, side_force, temperature, .. } = *input;
+                let at = Motion { displacement, velocity, side_force, temperature };
                 let beside = |m: &Model| m.elements().friction(&at).force + m.elements().preload(&at).force;
                 for b in &self.beside {
                     row[b.column] = (beside(&b.plus) - beside(&b.minus)) * b.per;
                 }
             }
         }
+        self.add_simulated_differences(segment, &forces, &mut rows);
+        for (column, unknown) in unknowns.list.iter().enumerate() {
+            let direct = self.columns.contains(&column);
+            if let (Unknown::Log(_), true) = (unknown, direct) {
+                rows.row_mut(column).scale_mut(libm::exp(theta[column]));
+            }
+        }
+        (forces, rows)
+    }
+
+    fn used_spring(&self) -> Option<&CurveWeights> {
+        (self.first_spring != NOWHERE).then_some(&self.spring)
+    }
+
+    fn paths_tangent(&self, directions: usize) -> PathsTangent<'_> {
+        PathsTangent {
+            directions: &self.directions,
+            fv: &self.fv,
+            spring: self.used_spring(),
+            first_fv: self.first_fv,
+            first_spring: self.first_spring,
+            carried: vec![Carried::NONE; directions],
+        }
+    }
+
+    fn tangent(&self) -> Tangent<'_> {
+        let p = self.directions.len();
+        Tangent {
+            directions: &self.directions,
+            fv: &self.fv,
+            spring: self.used_spring(),
+            first_fv: self.first_fv,
+            first_spring: self.first_spring,
+            x: vec![0.0; p],
+            v: vec![0.0; p],
+            stages: vec![(vec![0.0; p], vec![0.0; p]); 8],
+            lengths: [0.0; 5],
+        }
+    }
+
+    /// Returns the points of the FV curve and of the spring among the directions.
+    fn curve_parts(&self) -> [CurvePart; 2] {
+        [(self.first_fv, CurveName::Fv), (self.first_spring, CurveName::Spring)].map(|(first, curve)| {
+            let u = self.params.list(curve.abscissae());
+            CurvePart { first, zero: anchor(u), count: u.len() }
+        })
+    }
+
+    /// Computes the derivatives of the force over the directions for a damper with a series spring.
+    #[inline]
+    fn differentiate_series(&self, tangent: &Tangent, state: &State, input: &Input, by_direction: &mut [f64]) {
+        let series = self.model.elements().paths.series_compliance;
+        for (k, direction) in self.directions.iter().enumerate() {
+            by_direction[k] = -series.stiffness * tangent.x[k] - series.damping * tangent.v[k]
+                + match direction {
+                    Direction::SeriesStiffness => state.displacement - state.mass_displacement,
+                    Direction::SeriesDamping => input.velocity - state.mass_velocity,
+                    _ => 0.0,
+                };
+        }
+    }
+
+    /// Computes the derivatives of the force over the directions for a damper whose curves follow the rod.
+    #[inline]
+    fn differentiate_rigid(&self, displacement: f64, velocity: f64, by_direction: &mut [f64]) {
+        by_direction.fill(0.0);
+        for (k, direction) in self.directions.iter().enumerate() {
+            if let Direction::SpringPower(power) = direction {
+                by_direction[k] = displacement * displacement.abs().powi(*power);
+            }
+        }
+        if self.first_fv != NOWHERE {
+            let (first, w) = self.fv.evaluate(velocity);
+            for (k, w) in w.iter().enumerate().take(self.fv.points()) {
+                by_direction[self.first_fv + first + k] += w;
+            }
+        }
+        if self.first_spring != NOWHERE {
+            let (first, w) = self.spring.evaluate(displacement);
+            for (k, w) in w.iter().enumerate().take(self.spring.points()) {
+                by_direction[self.first_spring + first + k] += w;
+            }
+        }
+    }
+
+    /// Adds the derivatives that are differences of simulated forces. `forces` are those of the model.
+    fn add_simulated_differences(&self, segment: &Segment, forces: &[f64], rows: &mut DMatrix<f64>) {
         for Alone { model, moved, .. } in &self.alone {
             let own = self::forces(model, segment);
             for (column, moved, per) in moved {
@@ -491,21 +522,68 @@ impl Run {
                 rows[(*column, i)] = (force - forces[i]) * per;
             }
         }
-        for (column, unknown) in unknowns.list.iter().enumerate() {
-            let direct = self.columns.contains(&column);
-            if let (Unknown::Log(_), true) = (unknown, direct) {
-                rows.row_mut(column).scale_mut(libm::exp(theta[column]));
-            }
-        }
-        (forces, rows)
     }
 }
 
-/// Returns the parameter set with one unknown moved by `step`, and the signed step. If a bound is active, the unknown
-/// moves away from it.
-fn off_the_bound(moved: &dyn Fn(f64) -> Params, step: f64, from: &Params) -> (Params, f64) {
-    let params = moved(step);
-    if params == *from { (moved(-step), -step) } else { (params, step) }
+/// Points of a curve among the directions of a run.
+struct CurvePart {
+    /// Position of the first point, or [`NOWHERE`].
+    first: usize,
+    /// Point at which the curve is zero.
+    zero: usize,
+    count: usize,
+}
+
+/// Sums the derivatives over the points of each curve to those over its force increments. An increment between two
+/// points raises the force at the outer one and at all points farther from zero.
+#[inline]
+fn sum_increments(curves: &[CurvePart], by_direction: &mut [f64]) {
+    for CurvePart { first, zero, count } in curves.iter().filter(|curve| curve.first != NOWHERE) {
+        let points = &mut by_direction[*first..first + count];
+        for k in (zero + 1..count - 1).rev() {
+            points[k] += points[k + 1];
+        }
+        for k in 1..=*zero {
+            points[k] += points[k - 1];
+        }
+    }
+}
+
+/// Small changes of one unknown, for differences of models.
+struct Perturbation<'a> {
+    unknowns: &'a Unknowns,
+    theta: &'a [f64],
+    column: usize,
+    /// Integration of the run. Both ends of a difference use equal numbers of substeps, so that the difference is due to
+    /// the damper alone.
+    integration: Integration,
+}
+
+impl Perturbation<'_> {
+    fn step(&self) -> f64 {
+        1e-5 * self.theta[self.column].abs().max(1e-3)
+    }
+
+    fn params(&self, step: f64) -> Params {
+        let mut theta = self.theta.to_vec();
+        theta[self.column] += step;
+        self.unknowns.params(&theta)
+    }
+
+    fn prepare(&self, params: &Params) -> Option<Model> {
+        Some(Model::new(params).ok()?.with_integration(self.integration))
+    }
+
+    fn model(&self, step: f64) -> Option<Model> {
+        self.prepare(&self.params(step))
+    }
+
+    /// Returns the parameter set with the unknown moved by `step`, and the signed step. If a bound is active, the
+    /// unknown moves away from it.
+    fn off_the_bound(&self, step: f64, from: &Params) -> (Params, f64) {
+        let params = self.params(step);
+        if params == *from { (self.params(-step), -step) } else { (params, step) }
+    }
 }
 
 /// Computes forces of a model at the samples of a segment, N, from the equilibrium at the first sample.
@@ -522,7 +600,6 @@ pub fn forces(model: &Model, segment: &Segment) -> Vec<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use dashpot_core::Input;
     use dashpot_core::list;
     use dashpot_core::parameter::GROUPS;
     use dashpot_core::parameter::Shape;

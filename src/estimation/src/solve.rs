@@ -393,6 +393,82 @@ pub fn solve_knowing<R: Residuals>(
     search(problem, start, jacobian, bounds, options)
 }
 
+/// Point that a search has reached, with the linear problem there.
+struct Iterate {
+    x: Vec<f64>,
+    cost: f64,
+    rows: Vec<Rows>,
+    linear: Linear,
+    /// Lengths of the columns of the Jacobian, which scale a step.
+    ///
+    /// If a parameter loses its influence, its column becomes short. If the column alone scaled the step, the step would
+    /// be very long and end in a flat region. Therefore, the stored lengths decrease slowly.
+    lengths: Vec<f64>,
+    damping: f64,
+    /// Factor on the damping after the next rejected step.
+    growth: f64,
+    /// Number of accepted steps in succession that reduced the cost by no more than the tolerance.
+    quiet: usize,
+}
+
+/// Evaluated step of a search.
+struct Step {
+    /// Full linear step within the bounds, without the correction for curvature.
+    straight: DVector<f64>,
+    to: Vec<f64>,
+    /// Reduction of the cost that the linear problem predicts.
+    predicted: f64,
+    /// Cost at the end of the step. It is infinite where the residuals are not finite.
+    cost: f64,
+}
+
+impl Iterate {
+    fn update_lengths(&mut self) {
+        for (length, column) in self.lengths.iter_mut().zip(self.linear.factor.column_iter()) {
+            *length = (FADE * *length).max(column.norm());
+        }
+    }
+
+    /// Returns the length of a step in the scale of the columns.
+    fn scaled_length(&self, step: &[f64]) -> f64 {
+        step.iter().zip(&self.lengths).map(|(v, l)| (v * l).powi(2)).sum::<f64>().sqrt()
+    }
+
+    /// Returns the point at the end of a step, clamped to the bounds.
+    fn inside(&self, step: &DVector<f64>, bounds: &Bounds) -> Vec<f64> {
+        bounds.inside(&self.x.iter().zip(step).map(|(x, step)| x + step).collect::<Vec<_>>())
+    }
+
+    fn difference(&self, to: &[f64]) -> DVector<f64> {
+        DVector::from_fn(self.x.len(), |i, _| to[i] - self.x[i])
+    }
+
+    /// Returns whether a step can change neither the cost nor the point beyond rounding.
+    fn is_nothing(&self, step: &Step) -> bool {
+        let size = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
+        step.predicted.abs() <= ROUNDING * self.cost || step.straight.norm() <= ROUNDING * size(&self.x)
+    }
+
+    /// Moves to the end of a step that reduces the cost.
+    fn accept(&mut self, step: Step, residuals: Vec<DVector<f64>>, tolerance: f64) {
+        let reduction = self.cost - step.cost;
+        let ratio = if step.predicted > 0.0 { reduction / step.predicted } else { 0.0 };
+        self.damping = (self.damping * (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(FASTEST, 2.0)).max(LEAST_DAMPING);
+        self.growth = 2.0;
+        self.quiet = if reduction <= tolerance * self.cost { self.quiet + 1 } else { 0 };
+        (self.x, self.cost) = (step.to, step.cost);
+        for (rows, residual) in self.rows.iter_mut().zip(residuals) {
+            rows.residual = residual;
+        }
+    }
+
+    /// Increases the damping after a step that does not reduce the cost.
+    fn reject(&mut self) {
+        self.damping = (self.damping * self.growth).max(LEAST_DAMPING);
+        self.growth *= 2.0;
+    }
+}
+
 fn search(
     problem: &dyn Problem,
     start: &[f64],
@@ -401,108 +477,117 @@ fn search(
     options: &Options,
 ) -> Solution {
     let search = Search { problem, bounds, options };
-    let n = start.len();
-    let mut x = bounds.inside(start);
+    let x = bounds.inside(start);
     let mut end = Solution { x: x.clone(), cost: f64::INFINITY, converged: false, steps: 0, rows: Vec::new() };
     if cancel::asked() {
         return end;
     }
-    let Some(mut rows) = search.first_rows(&x, jacobian) else { return end };
-    let mut cost = search.cost(&x, rows.iter().map(|r| &r.residual));
-    let mut linear = search.linear(&x, &rows);
-    let (mut damping, mut growth, mut quiet) = (options.damping, 2.0, 0);
+    let Some(mut now) = search.begin(x, jacobian) else { return end };
     // `moved_on`: whether a step was accepted since the column lengths were last updated. `first`: whether no step was
     // evaluated yet, because every step so far was longer than the parameter vector.
     let (mut moved_on, mut first) = (true, true);
-    // If a parameter loses its influence, its column becomes short. If the column alone scaled the step, the step would
-    // be very long and end in a flat region. Therefore, the stored lengths decrease slowly.
-    let mut lengths = vec![0.0f64; n];
-    while end.steps < options.steps && cost.is_finite() && !cancel::asked() {
+    while end.steps < options.steps && now.cost.is_finite() && !cancel::asked() {
         if std::mem::take(&mut moved_on) {
-            for (length, column) in lengths.iter_mut().zip(linear.factor.column_iter()) {
-                *length = (FADE * *length).max(column.norm());
-            }
+            now.update_lengths();
         }
-        let system = System::new(&linear, &x, bounds, &lengths);
-        let arrived = system.left <= options.tolerance * cost;
+        let system = System::new(&now.linear, &now.x, bounds, &now.lengths);
+        let arrived = system.left <= options.tolerance * now.cost;
         if arrived {
             end.converged = true;
             // Try a last full step, because the criterion applies to the point before the step.
-            damping = LEAST_DAMPING;
+            now.damping = LEAST_DAMPING;
         }
         if system.free.is_empty() {
             end.converged = true;
             break;
         }
         end.steps += 1;
-        let (step, triangle) = system.step(damping);
-        let inside = |to: &DVector<f64>| bounds.inside(&x.iter().zip(to).map(|(x, to)| x + to).collect::<Vec<_>>());
-        let mut tried = inside(&step);
-        let straight = DVector::from_fn(n, |i, _| tried[i] - x[i]);
-        let length = |v: &[f64]| v.iter().zip(&lengths).map(|(v, l)| (v * l).powi(2)).sum::<f64>().sqrt();
+        let (step, triangle) = system.step(now.damping);
+        let to = now.inside(&step, bounds);
+        let straight = now.difference(&to);
         if first && !arrived {
-            let reach = length(&x);
-            if reach > 0.0 && length(straight.as_slice()) > reach {
-                damping *= 4.0;
+            let reach = now.scaled_length(&now.x);
+            if reach > 0.0 && now.scaled_length(straight.as_slice()) > reach {
+                now.damping *= 4.0;
                 continue;
             }
             first = false;
         }
-        let bend = (options.derivatives == Derivatives::Accelerated).then(|| search.bend(&x, &rows, &step)).flatten();
-        if let Some(correction) = bend.and_then(|bend| system.against(&bend, &triangle))
-            && length(correction.as_slice()) <= MOST_BEND * length(step.as_slice())
-        {
-            tried = inside(&(&step + correction));
-        }
-        let predicted =
-            0.5 * (linear.right.norm_squared() - (&linear.right + &linear.factor * &straight).norm_squared());
-        let there = problem.prepare(&tried).and_then(|at| search.residuals(&*at).map(|residuals| (at, residuals)));
-        let tried_cost = there.as_ref().map_or(f64::INFINITY, |(_, residuals)| search.cost(&tried, residuals));
+        let to = search.bent_end(&now, &system, (&step, &triangle)).unwrap_or(to);
+        let Linear { factor, right } = &now.linear;
+        let predicted = 0.5 * (right.norm_squared() - (right + factor * &straight).norm_squared());
+        let there = problem.prepare(&to).and_then(|at| search.residuals(&*at).map(|residuals| (at, residuals)));
+        let cost = there.as_ref().map_or(f64::INFINITY, |(_, residuals)| search.cost(&to, residuals));
+        let step = Step { straight, to, predicted, cost };
         if let (Derivatives::Kept, Some((_, residuals))) = (options.derivatives, &there) {
-            let moved = DVector::from_fn(n, |i, _| tried[i] - x[i]);
-            keep_up(&mut rows, residuals, &moved, &lengths);
+            let moved = now.difference(&step.to);
+            keep_up(&mut now.rows, residuals, &moved, &now.lengths);
         }
-        match there.filter(|_| tried_cost < cost) {
+        match there.filter(|_| step.cost < now.cost) {
             Some((at, residuals)) => {
-                let ratio = if predicted > 0.0 { (cost - tried_cost) / predicted } else { 0.0 };
-                damping = (damping * (1.0 - (2.0 * ratio - 1.0).powi(3)).clamp(FASTEST, 2.0)).max(LEAST_DAMPING);
-                growth = 2.0;
-                quiet = if cost - tried_cost <= options.tolerance * cost { quiet + 1 } else { 0 };
-                (x, cost, moved_on) = (tried, tried_cost, true);
-                for (rows, residual) in rows.iter_mut().zip(residuals) {
-                    rows.residual = residual;
-                }
-                if arrived || cost == 0.0 || quiet >= options.quiet {
+                now.accept(step, residuals, options.tolerance);
+                moved_on = true;
+                if arrived || now.cost == 0.0 || now.quiet >= options.quiet {
                     end.converged = true;
                     break;
                 }
-                if options.derivatives != Derivatives::Kept {
-                    match search.rows(&*at, &x) {
-                        Some(fresh) => rows = fresh,
-                        None => break,
-                    }
+                if search.renew(&mut now, &*at).is_none() {
+                    break;
                 }
-                linear = search.linear(&x, &rows);
+            }
+            None if arrived || now.is_nothing(&step) => {
+                // No further reduction beyond the tolerance or beyond rounding is possible.
+                end.converged = true;
+                break;
             }
             None => {
-                let size = |v: &[f64]| v.iter().map(|a| a * a).sum::<f64>().sqrt();
-                let nothing = predicted.abs() <= ROUNDING * cost || straight.norm() <= ROUNDING * size(&x);
-                if arrived || nothing {
-                    // No further reduction beyond the tolerance or beyond rounding is possible.
-                    end.converged = true;
-                    break;
-                }
-                damping = (damping * growth).max(LEAST_DAMPING);
-                growth *= 2.0;
+                now.reject();
                 if options.derivatives == Derivatives::Kept {
                     // The updated derivatives contain the information of the rejected step.
-                    linear = search.linear(&x, &rows);
+                    now.linear = search.linear(&now.x, &now.rows);
                 }
             }
         }
     }
-    (end.x, end.cost, end.rows) = (x, cost, rows);
+    (end.x, end.cost, end.rows) = (now.x, now.cost, now.rows);
     end
+}
+
+impl Search<'_> {
+    /// Evaluates the start. Returns `None` if residuals or derivatives are missing or not finite there.
+    fn begin(&self, x: Vec<f64>, jacobian: Option<Vec<DMatrix<f64>>>) -> Option<Iterate> {
+        let rows = self.first_rows(&x, jacobian)?;
+        let cost = self.cost(&x, rows.iter().map(|r| &r.residual));
+        let linear = self.linear(&x, &rows);
+        let lengths = vec![0.0f64; x.len()];
+        Some(Iterate { x, cost, rows, linear, lengths, damping: self.options.damping, growth: 2.0, quiet: 0 })
+    }
+
+    /// Returns the end of a step that is corrected for the curvature of the residuals, if the options ask for it and the
+    /// correction is small. `step` is the linear step with the triangular factor of its system.
+    fn bent_end(
+        &self,
+        now: &Iterate,
+        system: &System,
+        (step, triangle): (&DVector<f64>, &DMatrix<f64>),
+    ) -> Option<Vec<f64>> {
+        if self.options.derivatives != Derivatives::Accelerated {
+            return None;
+        }
+        let bend = self.bend(&now.x, &now.rows, step)?;
+        let correction = system.against(&bend, triangle)?;
+        let is_small = now.scaled_length(correction.as_slice()) <= MOST_BEND * now.scaled_length(step.as_slice());
+        is_small.then(|| now.inside(&(step + correction), self.bounds))
+    }
+
+    /// Computes the derivatives and the linear problem after an accepted step. Returns `None` if they are not finite.
+    fn renew(&self, now: &mut Iterate, at: &dyn Point) -> Option<()> {
+        if self.options.derivatives != Derivatives::Kept {
+            now.rows = self.rows(at, &now.x)?;
+        }
+        now.linear = self.linear(&now.x, &now.rows);
+        Some(())
+    }
 }
 
 /// Smallest factor on the damping after a step with the predicted reduction.

@@ -45,7 +45,10 @@ pub use data::setting_signal::{SettingPattern, SettingSignal, SettingStep};
 pub use data::test_metadata::TestMetadata;
 pub use dates::clock;
 pub use dates::date_order::DateOrder;
-pub use error::{FilesUnit, Place, RecordError};
+pub use error::{
+    ColumnError, FilesUnit, ImposedMotionError, Place, PlausibilityError, RecordError, RecordFileError, SampleError,
+    SelectionError,
+};
 pub use file_extensions::{EXTENSIONS, is_record_name};
 pub use formats::csv::text;
 pub use messages::newtons;

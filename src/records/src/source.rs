@@ -9,7 +9,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering::Relaxed};
 
-use crate::error::{Place, RecordError};
+use crate::error::{Place, RecordError, RecordFileError};
 
 /// Size of the largest record file that is read, bytes. As text, an hour of four channels at 1 kHz has 130 MB.
 pub(crate) const LARGEST: u64 = 256 << 20;
@@ -37,7 +37,7 @@ impl Source {
     pub fn read(file: &Path) -> Result<Source, RecordError> {
         let bytes = bytes(file, LARGEST)?;
         if bytes.is_empty() {
-            return Err(RecordError::EmptyFile { file: file.into() });
+            return Err(RecordFileError::EmptyFile { file: file.into() }.into());
         }
         Ok(Source { file: file.into(), budget: Budget::new(bytes.len() as u64), bytes })
     }
@@ -54,12 +54,12 @@ impl Source {
 /// The file cannot be read, is larger than `largest`, or is not a regular file. Reading a pipe could block forever, and
 /// a device never ends.
 pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
-    let unreadable = |source| RecordError::Read { file: file.into(), source };
+    let unreadable = |source| RecordError::File(RecordFileError::Read { file: file.into(), source });
     let metadata = std::fs::metadata(file).map_err(unreadable)?;
     if !metadata.is_file() {
-        return Err(RecordError::NotRegular { file: file.into() });
+        return Err(RecordFileError::NotRegular { file: file.into() }.into());
     }
-    let too_large = |bytes| RecordError::TooLarge { file: file.into(), bytes, largest };
+    let too_large = |bytes| RecordError::File(RecordFileError::TooLarge { file: file.into(), bytes, largest });
     if metadata.len() > largest {
         return Err(too_large(metadata.len()));
     }
@@ -80,7 +80,7 @@ pub(crate) fn bytes(file: &Path, largest: u64) -> Result<Vec<u8>, RecordError> {
 pub(crate) fn text(file: &Path, largest: u64) -> Result<String, RecordError> {
     String::from_utf8(bytes(file, largest)?).map_err(|error| {
         let source = std::io::Error::new(std::io::ErrorKind::InvalidData, error.utf8_error());
-        RecordError::Read { file: file.into(), source }
+        RecordError::File(RecordFileError::Read { file: file.into(), source })
     })
 }
 
@@ -101,9 +101,11 @@ pub fn read_small(file: &Path) -> std::io::Result<Vec<u8>> {
 /// The file cannot be read, is no regular file (such as a folder, a pipe or a device), or is larger than `largest`.
 pub fn read_regular(file: &Path, largest: u64) -> std::io::Result<Vec<u8>> {
     bytes(file, largest).map_err(|error| match error {
-        RecordError::Read { source, .. } => source,
-        RecordError::NotRegular { .. } if file.is_dir() => std::io::Error::other("it is a folder; give a file in it"),
-        RecordError::NotRegular { .. } => std::io::Error::other("it is no regular file"),
+        RecordError::File(RecordFileError::Read { source, .. }) => source,
+        RecordError::File(RecordFileError::NotRegular { .. }) if file.is_dir() => {
+            std::io::Error::other("it is a folder; give a file in it")
+        }
+        RecordError::File(RecordFileError::NotRegular { .. }) => std::io::Error::other("it is no regular file"),
         _ => std::io::Error::other(format!("it is larger than {} MiB", largest >> 20)),
     })
 }
@@ -181,7 +183,7 @@ impl Exhausted {
 
     /// Converts this error to the record error at a location.
     pub fn into_error(self, at: &Place) -> RecordError {
-        RecordError::TooCostly { at: at.clone() }
+        RecordError::File(RecordFileError::TooCostly { at: at.clone() })
     }
 }
 

@@ -151,17 +151,71 @@ fn literature(args: &Args, campaign: &Campaign, name: &str, on_stdout: bool) -> 
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<()> {
-    let json = args.json.as_deref();
+    let on_stdout = check_outputs(args)?;
+    let setting = args.setting.as_deref().filter(|name| *name != WITHOUT_SETTING);
+    check_options(args, setting)?;
+    let campaign = if setting.is_some() { args.data.load_over_setting()? } else { args.data.load()? };
+    let records = kept(&campaign, &args.hold_out)?;
+    if args.setting.is_none()
+        && let Some(why) = not_one_damper(&records)
+    {
+        bail!("{why}");
+    }
+    let options = FitOptions {
+        family: match args.model {
+            Kind::Model(family) => family,
+            Kind::Comparison(name) => return literature(args, &campaign, name, on_stdout),
+        },
+        elements: args.elements.clone(),
+        priors: super::dimensions::priors(args.dimensions.as_deref())?,
+    };
+    if let Some(setting) = setting {
+        let report = args.report.as_deref().map(|path| (path, &args.text));
+        let outputs = Outputs { model: &args.output, json: args.json.as_deref(), report };
+        return family::run((&campaign, &records), setting, &options, (&args.data, &outputs));
+    }
+    let found = identify(&records, &options, &args.output)?;
+    let say = |text: &str| dashpot_output::say(if on_stdout { Some(Path::new("-")) } else { None }, text);
+    print_record_notes(&campaign, &say)?;
+    describe(&found).iter().try_for_each(|line| say(line))?;
+    let quality = whole_records::quality(&found, &records)?;
+    let over_whole_records = quality.model;
+    let error = in_words(&over_whole_records, &TERMINAL);
+    say(&format!("{} fitted, off by {error}; model in {}", count_tests(found.tests.len()), args.output.display()))?;
+    say(&quality::sentence(&quality, &TERMINAL))?;
+    if let Some(path) = args.json.as_deref() {
+        let json = Json {
+            model: &args.output,
+            tests: &found.tests,
+            parameters: &found.estimates,
+            inventory: &found.inventory,
+            measured: &found.measured,
+            notes: &found.notes,
+            misfit: found.misfit,
+            over_whole_records,
+            sign: &campaign.sign,
+            unusable: &campaign.unusable,
+        };
+        dashpot_output::json(path, &json)?;
+    }
+    if let Some(path) = args.excel.as_deref() {
+        write_workbook(&tables(args, &campaign, &found, &over_whole_records)?, path)?;
+        say(&format!("workbook: {}", path.display()))?;
+    }
+    Ok(())
+}
+
+/// Checks the files to write before anything is computed. Returns whether one of them is standard output.
+fn check_outputs(args: &Args) -> anyhow::Result<bool> {
+    let (json, excel, report) = (args.json.as_deref(), args.excel.as_deref(), args.report.as_deref());
     let on_stdout =
         [Some(args.output.as_path()), json].into_iter().flatten().filter(|p| dashpot_output::is_stdout(p)).count();
     if on_stdout > 1 {
         bail!("standard output takes one result: give -o or --json a file");
     }
-    let excel = args.excel.as_deref();
     if excel.is_some_and(dashpot_output::is_stdout) {
         bail!("--excel needs a file name: standard output takes estimates (--json -) or the model (-o -)");
     }
-    let report = args.report.as_deref();
     if report.is_some_and(dashpot_output::is_stdout) {
         bail!("--report needs a file name: standard output takes estimates (--json -) or the model (-o -)");
     }
@@ -175,102 +229,56 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         (excel, output::Kind::Workbook),
         (report, output::Kind::Report),
     ])?;
-    if excel.is_some() && matches!(args.model, Kind::Comparison(_)) {
+    Ok(on_stdout > 0)
+}
+
+/// Checks that the options suit each other. `setting` is the setting over which the damper is fitted.
+fn check_options(args: &Args, setting: Option<&str>) -> anyhow::Result<()> {
+    let is_thesis = args.model == Kind::Model(Family::Thesis);
+    if args.excel.is_some() && matches!(args.model, Kind::Comparison(_)) {
         bail!(
             "--excel has the tables of a model file; this model's numbers are in the file that -o names, and in --json"
         );
     }
-    if args.elements.is_some() && args.model != Kind::Model(Family::Thesis) {
+    if args.elements.is_some() && !is_thesis {
         bail!("--elements chooses the elements of --model thesis; the other models have no choice of elements");
     }
-    let setting = args.setting.as_deref().filter(|name| *name != WITHOUT_SETTING);
-    if setting.is_some() && args.model != Kind::Model(Family::Thesis) {
+    if setting.is_some() && !is_thesis {
         bail!("--setting fits --model thesis over the setting; leave one of the two out");
     }
-    if setting.is_some() && excel.is_some() {
+    if setting.is_some() && args.excel.is_some() {
         bail!("--excel has the tables of a damper without a setting; those of a family are in --json");
     }
-    if args.dimensions.is_some() && args.model != Kind::Model(Family::Thesis) {
+    if args.dimensions.is_some() && !is_thesis {
         bail!("--dimensions gives priors to --model thesis; leave one of the two out");
     }
-    if setting.is_none() && report.is_some() {
+    if setting.is_none() && args.report.is_some() {
         bail!("--report is of a damper over a setting; dashpot validate writes the report of an ordinary damper");
     }
-    let campaign = if setting.is_some() { args.data.load_over_setting()? } else { args.data.load()? };
-    let records = kept(&campaign, &args.hold_out)?;
-    if args.setting.is_none()
-        && let Some(why) = not_one_damper(&records)
-    {
-        bail!("{why}");
-    }
-    let options = FitOptions {
-        family: match args.model {
-            Kind::Model(family) => family,
-            Kind::Comparison(name) => return literature(args, &campaign, name, on_stdout > 0),
-        },
-        elements: args.elements.clone(),
-        priors: super::dimensions::priors(args.dimensions.as_deref())?,
-    };
-    if let Some(setting) = setting {
-        let report = report.map(|path| (path, &args.text));
-        let outputs = Outputs { model: &args.output, json, report };
-        return family::run((&campaign, &records), setting, &options, (&args.data, &outputs));
-    }
-    let found = identify(&records, &options, &args.output)?;
-    let say = |text: &str| dashpot_output::say(if on_stdout > 0 { Some(Path::new("-")) } else { None }, text);
-    print_record_notes(&campaign, &say)?;
-    for item in &found.inventory {
-        say(&format!("  {}", describe_item(item)))?;
-    }
-    for e in found.estimates.iter().filter(|e| e.index.is_none()) {
-        say(&match (&e.standing, e.low, e.high) {
-            (Standing::NotIdentified, ..) => {
-                format!(
-                    "  {:<30} {}",
-                    e.name,
-                    assumed_of_damper(e, (&found.params, &found.priors), &TERMINAL).unwrap_or_default()
-                )
-            }
-            (_, Some(low), Some(high)) => {
-                let (value, interval) = with_interval(e.value, low, high, e.unit, &TERMINAL);
-                format!("  {:<30} {value:>16}  95 %: {interval}", e.name)
-            }
-            _ => format!("  {:<30} {:>16}", e.name, with_unit(e.value, e.unit)),
-        })?;
-    }
-    if let Some(curve) = curve_lines(&found.params) {
-        say(&curve)?;
-    }
-    for note in found.further_notes() {
-        say(&format!("note: {note}"))?;
-    }
-    let quality = whole_records::quality(&found, &records)?;
-    let over_whole_records = quality.model;
-    let error = in_words(&over_whole_records, &TERMINAL);
-    say(&format!("{} fitted, off by {error}; model in {}", count_tests(found.tests.len()), args.output.display()))?;
-    say(&quality::sentence(&quality, &TERMINAL))?;
-    if let Some(path) = json {
-        dashpot_output::json(
-            path,
-            &Json {
-                model: &args.output,
-                tests: &found.tests,
-                parameters: &found.estimates,
-                inventory: &found.inventory,
-                measured: &found.measured,
-                notes: &found.notes,
-                misfit: found.misfit,
-                over_whole_records,
-                sign: &campaign.sign,
-                unusable: &campaign.unusable,
-            },
-        )?;
-    }
-    if let Some(path) = excel {
-        write_workbook(&tables(args, &campaign, &found, &over_whole_records)?, path)?;
-        say(&format!("workbook: {}", path.display()))?;
-    }
     Ok(())
+}
+
+/// Formats inventory, estimates, curve and notes of a fit as lines.
+fn describe(found: &Fit) -> Vec<String> {
+    let items = found.inventory.iter().map(|item| format!("  {}", describe_item(item)));
+    let estimates = found.estimates.iter().filter(|e| e.index.is_none()).map(|e| describe_estimate(e, found));
+    let notes = found.further_notes().into_iter().map(|note| format!("note: {note}"));
+    items.chain(estimates).chain(curve_lines(&found.params)).chain(notes).collect()
+}
+
+/// Formats an estimate with its interval, or a number that the records do not determine.
+fn describe_estimate(e: &Estimate, found: &Fit) -> String {
+    match (&e.standing, e.low, e.high) {
+        (Standing::NotIdentified, ..) => {
+            let assumed = assumed_of_damper(e, (&found.params, &found.priors), &TERMINAL).unwrap_or_default();
+            format!("  {:<30} {assumed}", e.name)
+        }
+        (_, Some(low), Some(high)) => {
+            let (value, interval) = with_interval(e.value, low, high, e.unit, &TERMINAL);
+            format!("  {:<30} {value:>16}  95 %: {interval}", e.name)
+        }
+        _ => format!("  {:<30} {:>16}", e.name, with_unit(e.value, e.unit)),
+    }
 }
 
 /// Formats the FV curve as lines of velocity and force. Returns `None` if the curve has slopes and knees instead of points, or if there is

@@ -9,7 +9,7 @@ use crate::quantity::SettingText;
 use anyhow::bail;
 use dashpot_core::Model;
 use dashpot_identification::AS_THE_FIT_SAW;
-use dashpot_identification::limits;
+use dashpot_identification::limits::{self, Limit};
 use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{
     Against, AgainstSummary, Compared, ResponseTimes, StepResponse, TimeUncertainty, Validation, validate,
@@ -22,7 +22,7 @@ use dashpot_report::numbers::digits;
 use dashpot_report::{FamilyReport, ReportInput};
 use dashpot_simulation::against::{self, FITTED_TO_ALL, Rivals};
 use dashpot_simulation::comparison;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 
 /// Compare a model with records, and with the plain FV curve that is fitted to the same data
 ///
@@ -72,32 +72,13 @@ pub struct Args {
 
 /// Runs the verb.
 pub fn run(args: &Args) -> anyhow::Result<Verdict> {
-    for (option, path) in [("--report", &args.report), ("--certificate", &args.certificate), ("--excel", &args.excel)] {
-        if path.as_deref().is_some_and(dashpot_output::is_stdout) {
-            bail!("{option} needs a file name: standard output takes figures alone (--json -)");
-        }
-    }
-    dashpot_output::check_kinds([
-        (args.json.as_deref(), Kind::Figures),
-        (args.report.as_deref(), Kind::Report),
-        (args.certificate.as_deref(), Kind::Report),
-        (args.excel.as_deref(), Kind::Workbook),
-    ])?;
+    check_outputs(args)?;
     let mut windows = args.limits.as_deref().map(limits::read).transpose()?;
     let _held = args.svg.as_deref().map(FolderLock::take).transpose()?;
     against::named(&args.against)?;
     let model = model::read_family(&args.model)?;
     let is_family = model.axis.is_some();
-    if args.setting.is_some() && !is_family {
-        bail!("{} depends on no setting; leave --setting out", args.model.display());
-    }
-    if is_family && !args.against.is_empty() {
-        bail!(
-            "--against compares dampers at one setting; write one with dashpot setting {} 0.8 -o one.toml",
-            args.model.display()
-        );
-    }
-    let setting = args.setting.as_ref().map(|setting| setting.in_unit_of(&model.axis)).transpose()?;
+    let setting = read_setting(args, &model)?;
     match &mut windows {
         Some(windows) if is_family => limits::restate_settings_of_limits(windows, model.axis.unit())?,
         Some(windows) => limits::check_without_setting(windows)?,
@@ -121,74 +102,145 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     }
     validation.as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| n.text.clone());
     validation.unusable.clone_from(&campaign.unusable);
-    let json = args.json.as_deref();
-    dashpot_output::say(json, &table(&validation))?;
-    if is_family {
-        dashpot_output::say(json, &settings_table(&model, &validation))?;
-        for doubt in &validation.setting_doubts {
-            dashpot_output::warn(&format!("warning: {}", doubt.sentence(model.axis.unit())));
+    let mut run = Run { args, model: &model, campaign: &campaign, compared: &compared, validation };
+    run.print_errors()?;
+    let rivals = run.compare_with_literature()?;
+    if let Some(windows) = &windows {
+        run.judge_limits(windows, &settings)?;
+    }
+    run.print_fast_tests()?;
+    if let Some(path) = run.json() {
+        dashpot_output::json(path, &run.validation)?;
+    }
+    if [&args.report, &args.svg, &args.certificate, &args.excel].into_iter().any(Option::is_some) {
+        run.write_documents(&rivals)?;
+    }
+    Ok(match &run.validation.limits {
+        Some(found) if !found.passed => Verdict::Failed,
+        _ => Verdict::Passed,
+    })
+}
+
+/// Checks the files to write before anything is computed.
+fn check_outputs(args: &Args) -> anyhow::Result<()> {
+    for (option, path) in [("--report", &args.report), ("--certificate", &args.certificate), ("--excel", &args.excel)] {
+        if path.as_deref().is_some_and(dashpot_output::is_stdout) {
+            bail!("{option} needs a file name: standard output takes figures alone (--json -)");
         }
     }
-    let mut rivals: Vec<Rival> = Vec::new();
-    if !args.against.is_empty() {
+    dashpot_output::check_kinds([
+        (args.json.as_deref(), Kind::Figures),
+        (args.report.as_deref(), Kind::Report),
+        (args.certificate.as_deref(), Kind::Report),
+        (args.excel.as_deref(), Kind::Workbook),
+    ])?;
+    Ok(())
+}
+
+/// Returns the setting of `--setting` in the unit of the model. Checks that the options suit the model.
+fn read_setting(args: &Args, model: &ModelFile) -> anyhow::Result<Option<f64>> {
+    let is_family = model.axis.is_some();
+    if args.setting.is_some() && !is_family {
+        bail!("{} depends on no setting; leave --setting out", args.model.display());
+    }
+    if is_family && !args.against.is_empty() {
+        bail!(
+            "--against compares dampers at one setting; write one with dashpot setting {} 0.8 -o one.toml",
+            args.model.display()
+        );
+    }
+    args.setting.as_ref().map(|setting| setting.in_unit_of(&model.axis)).transpose()
+}
+
+/// Comparison of a model with records, and what the verb was asked for.
+struct Run<'a> {
+    args: &'a Args,
+    model: &'a ModelFile,
+    campaign: &'a Campaign,
+    compared: &'a [Compared<'a>],
+    validation: Validation,
+}
+
+impl Run<'_> {
+    fn json(&self) -> Option<&Path> {
+        self.args.json.as_deref()
+    }
+
+    fn say(&self, text: &str) -> anyhow::Result<()> {
+        dashpot_output::say(self.json(), text)
+    }
+
+    /// Prints the errors, for a family also those at each setting.
+    fn print_errors(&self) -> anyhow::Result<()> {
+        self.say(&table(&self.validation))?;
+        if self.model.axis.is_some() {
+            self.say(&settings_table(self.model, &self.validation))?;
+            for doubt in &self.validation.setting_doubts {
+                dashpot_output::warn(&format!("warning: {}", doubt.sentence(self.model.axis.unit())));
+            }
+        }
+        Ok(())
+    }
+
+    /// Compares the models of the literature that `--against` names, and returns their forces.
+    fn compare_with_literature(&mut self) -> anyhow::Result<Vec<Rival>> {
+        if self.args.against.is_empty() {
+            return Ok(Vec::new());
+        }
         let progress = Progress::new("comparing");
-        let found = Rivals::compare(&args.against, &model, &campaign, &|done, name| progress.say(done, name))?;
+        let named = &self.args.against;
+        let found = Rivals::compare(named, self.model, self.campaign, &|done, name| progress.say(done, name))?;
         drop(progress);
         if found.fitted_to_all {
-            dashpot_output::say(json, &format!("note: {FITTED_TO_ALL}"))?;
+            self.say(&format!("note: {FITTED_TO_ALL}"))?;
         }
-        found.put_into(&mut validation, &compared);
+        found.put_into(&mut self.validation, self.compared);
         let drawn = |one: against::Rival| Rival { name: one.literature.name(), forces: one.forces };
-        rivals = found.all.into_iter().map(drawn).collect();
-        dashpot_output::say(json, &against_table(&validation.against))?;
+        let rivals = found.all.into_iter().map(drawn).collect();
+        self.say(&against_table(&self.validation.against))?;
+        Ok(rivals)
     }
-    if let Some(windows) = &windows {
-        let records: Vec<&Record> = compared.iter().map(|c| c.record).collect();
-        let forces: Vec<&[f64]> = compared.iter().map(|c| c.model.as_slice()).collect();
-        let found = if is_family {
-            limits::judge_over_settings(windows, (&records, &settings), &forces, &validation.step_responses)?
+
+    /// Compares records and model with the limits. `settings` are those of the records of a family.
+    fn judge_limits(&mut self, windows: &[Limit], settings: &[Option<f64>]) -> anyhow::Result<()> {
+        let records: Vec<&Record> = self.compared.iter().map(|c| c.record).collect();
+        let forces: Vec<&[f64]> = self.compared.iter().map(|c| c.model.as_slice()).collect();
+        let found = if self.model.axis.is_some() {
+            let responses = &self.validation.step_responses;
+            limits::judge_over_settings(windows, (&records, settings), &forces, responses)?
         } else {
             limits::judge(windows, &records, Some(&forces))
         };
-        dashpot_output::say(json, &crate::limits::table(&found))?;
-        validation.limits = Some(found);
+        self.say(&crate::limits::table(&found))?;
+        self.validation.limits = Some(found);
+        Ok(())
     }
-    let curve = prepared(&model.params)?;
-    let fast: Vec<&str> = campaign.records.iter().filter(|r| outruns(&curve, r)).map(|r| r.name.as_str()).collect();
-    if let Some(first) = fast.first() {
+
+    /// Prints a note about tests that are faster than the FV curve reaches.
+    fn print_fast_tests(&self) -> anyhow::Result<()> {
+        let curve = prepared(&self.model.params)?;
+        let records = &self.campaign.records;
+        let fast: Vec<&str> = records.iter().filter(|r| outruns(&curve, r)).map(|r| r.name.as_str()).collect();
+        let Some(first) = fast.first() else { return Ok(()) };
         let (low, high) = curve.elements().paths.fv_curve.range();
-        let text = format!(
+        self.say(&format!(
             "note: {} of {} tests are faster than the FV curve reaches ({:.0} to {:.0} mm/s), the first is {first}; the \
              curve is prolonged straight there",
             fast.len(),
-            campaign.records.len(),
+            records.len(),
             1e3 * low,
             1e3 * high
-        );
-        dashpot_output::say(json, &text)?;
+        ))
     }
-    if let Some(path) = json {
-        dashpot_output::json(path, &validation)?;
-    }
-    if [&args.report, &args.svg, &args.certificate, &args.excel].into_iter().any(Option::is_some) {
+
+    /// Writes certificate, report, workbook and figures.
+    fn write_documents(&self, rivals: &[Rival]) -> anyhow::Result<()> {
+        let args = self.args;
         let progress = Progress::new("drawing");
         progress.set(0.2);
-        let files = [Some(&args.model), args.limits.as_ref()].into_iter().flatten().chain(&campaign.files).cloned();
-        let mut input = ReportInput {
-            print: args.page.print(),
-            made: args.page.text.date.made(files)?,
-            model_file: name_of(&args.model),
-            data: args.data.named(),
-            ..ReportInput::from_validation(&model, &campaign, &compared, &validation, args.page.text.words())?
-        };
-        if is_family {
-            // The figure of peak forces gets no curve, because the curve at one setting does not represent the other settings.
-            input.curve.clear();
-            input.family = Some(FamilyReport { model: &model, fit: None });
-        }
-        input.extra.extend(section(&validation, &compared, &rivals, input.words));
-        if let (Some(path), Some(found)) = (&args.certificate, &validation.limits) {
-            let records: Vec<&Record> = campaign.records.iter().collect();
+        let input = self.report_input(rivals)?;
+        if let (Some(path), Some(found)) = (&args.certificate, &self.validation.limits) {
+            let records: Vec<&Record> = self.campaign.records.iter().collect();
             let page = certificate::render(&CertificateInput {
                 certificate: found,
                 records: &records,
@@ -199,25 +251,45 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
                 words: input.words,
             });
             dashpot_output::write(path, page)?;
-            dashpot_output::say(json, &format!("certificate: {}", path.display()))?;
+            self.say(&format!("certificate: {}", path.display()))?;
         }
         if let Some(path) = &args.report {
             dashpot_report::write_atomic(&input, path)?;
-            dashpot_output::say(json, &format!("report: {}", path.display()))?;
+            self.say(&format!("report: {}", path.display()))?;
         }
         if let Some(path) = &args.excel {
             dashpot_report::write_workbook(&dashpot_report::workbook(&input), path)?;
-            dashpot_output::say(json, &format!("workbook: {}", path.display()))?;
+            self.say(&format!("workbook: {}", path.display()))?;
         }
         if let Some(folder) = &args.svg {
             let written = dashpot_report::svgs(&input, folder)?;
-            dashpot_output::say(json, &format!("{} figures in {}", written.len(), folder.display()))?;
+            self.say(&format!("{} figures in {}", written.len(), folder.display()))?;
         }
+        Ok(())
     }
-    Ok(match &validation.limits {
-        Some(found) if !found.passed => Verdict::Failed,
-        _ => Verdict::Passed,
-    })
+
+    /// Makes the input of the report.
+    fn report_input<'a>(&'a self, rivals: &[Rival]) -> anyhow::Result<ReportInput<'a>> {
+        let (args, model) = (self.args, self.model);
+        let files =
+            [Some(&args.model), args.limits.as_ref()].into_iter().flatten().chain(&self.campaign.files).cloned();
+        let words = args.page.text.words();
+        let mut input = ReportInput {
+            print: args.page.print(),
+            made: args.page.text.date.made(files)?,
+            model_file: name_of(&args.model),
+            data: args.data.named(),
+            ..ReportInput::from_validation(model, self.campaign, self.compared, &self.validation, words)?
+        };
+        if model.axis.is_some() {
+            // The figure of peak forces gets no curve, because the curve at one setting does not represent the other
+            // settings.
+            input.curve.clear();
+            input.family = Some(FamilyReport { model, fit: None });
+        }
+        input.extra.extend(section(&self.validation, self.compared, rivals, input.words));
+        Ok(input)
+    }
 }
 
 /// Formats the errors of the model and of the models of the literature.

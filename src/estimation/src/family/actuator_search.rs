@@ -193,107 +193,144 @@ impl Trials {
     }
 }
 
-/// Finds the most probable actuator. Returns `None` if no form gives a finite force.
-pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync)) -> Option<ActuatorSearch> {
-    let (low, high) = context.definition.axis.range();
-    let range = high - low;
-    let places: Vec<Vec<usize>> = context.tests.iter().map(responding).collect();
-    let fits = AtomicUsize::new(0);
-    let fit = |form: ActuatorForm, from: Option<&ActuatorRefit>| {
-        let done = fits.fetch_add(1, Ordering::Relaxed);
-        progress(done as f64 / (done + USUAL_FITS) as f64);
-        let problem = ActuatorProblem::new(context, form);
+/// Data and progress of a search.
+struct Search<'a> {
+    context: &'a ActuatorContext<'a>,
+    /// Samples of each test at which the valve responds.
+    places: Vec<Vec<usize>>,
+    /// Number of fits so far.
+    fits: AtomicUsize,
+    progress: &'a (dyn Fn(f64) + Sync),
+}
+
+impl Search<'_> {
+    /// Refits a form from another one. Returns `None` if it gives no finite force.
+    fn fit(&self, form: ActuatorForm, from: Option<&ActuatorRefit>) -> Option<Trial> {
+        let done = self.fits.fetch_add(1, Ordering::Relaxed);
+        (self.progress)(done as f64 / (done + USUAL_FITS) as f64);
+        let problem = ActuatorProblem::new(self.context, form);
         let is_far = from.is_some_and(|from| from.form.lag == Ways::Neither && form.lag != Ways::Neither);
-        let starts: Vec<Option<Vec<f64>>> = match from {
-            Some(from) if is_far => {
-                let base = from.start_of(form, range);
-                STARTS
-                    .iter()
-                    .map(|time| {
-                        let mut start = base.clone();
-                        start[0] = libm::log(*time);
-                        Some(start)
-                    })
-                    .collect()
-            }
-            Some(from) => vec![Some(from.start_of(form, range))],
-            None => vec![None],
-        };
-        let found: Vec<ActuatorRefit> = starts
+        let found: Vec<ActuatorRefit> = self
+            .starts(form, from, is_far)
             .into_par_iter()
             .filter_map(|start| match start {
                 Some(start) if is_far => problem.refit_from_far(&start, COMPARE),
                 start => problem.refit(start.as_deref(), COMPARE),
             })
             .collect();
-        let scored =
-            found.into_iter().map(|refit| Trial { log_posterior: log_posterior(&refit, context, &places), refit });
+        let scored = found.into_iter().map(|refit| Trial { log_posterior: self.log_posterior(&refit), refit });
         scored.reduce(|best, next| if next.log_posterior > best.log_posterior { next } else { best })
-    };
-    let none = fit(ActuatorForm::NONE, None)?;
-    let mut from = none.refit.clone();
-    let mut trials = Trials::default();
-    trials.0.insert(ActuatorForm::NONE, Some(none));
-    // If the time constants of rising and falling settings differ, a shared lag may be less probable than no lag. A
-    // search that changes single parts would then miss the correct form.
-    for form in VALVES {
-        let found = fit(form, Some(&from));
-        if let Some(Trial { refit, .. }) = &found {
-            from = refit.clone();
-        }
-        trials.0.insert(form, found);
     }
-    // Hysteresis and two lags together may be more probable than a shared lag although neither is alone. Without
-    // hysteresis, errors of the force at the settings explain the force after a step.
-    let with_hysteresis = |form: ActuatorForm| {
-        let without = trials.find(form)?;
-        let form = ActuatorForm { hysteresis: true, ..form };
-        Some((form, fit(form, Some(&without.refit))))
-    };
-    let further: Vec<_> = VALVES.into_par_iter().filter_map(with_hysteresis).collect();
-    trials.0.extend(further);
-    // Tries the forms that have one part more or less than a form.
-    let try_parts = |trials: &mut Trials, of: ActuatorForm| {
+
+    /// Returns the starts of a refit: several time constants if the form adds a lag to the other one.
+    fn starts(&self, form: ActuatorForm, from: Option<&ActuatorRefit>, adds_lag: bool) -> Vec<Option<Vec<f64>>> {
+        let (low, high) = self.context.definition.axis.range();
+        let Some(from) = from else { return vec![None] };
+        let base = from.start_of(form, high - low);
+        if !adds_lag {
+            return vec![Some(base)];
+        }
+        let with_time = |time: &f64| {
+            let mut start = base.clone();
+            start[0] = libm::log(*time);
+            Some(start)
+        };
+        STARTS.iter().map(with_time).collect()
+    }
+
+    fn log_posterior(&self, refit: &ActuatorRefit) -> f64 {
+        log_posterior(refit, self.context, &self.places)
+    }
+
+    /// Refits the forms of most valves. Returns `None` if even an actuator without dynamics gives no finite force.
+    fn try_valves(&self) -> Option<Trials> {
+        let none = self.fit(ActuatorForm::NONE, None)?;
+        let mut from = none.refit.clone();
+        let mut trials = Trials::default();
+        trials.0.insert(ActuatorForm::NONE, Some(none));
+        // If the time constants of rising and falling settings differ, a shared lag may be less probable than no lag. A
+        // search that changes single parts would then miss the correct form.
+        for form in VALVES {
+            let found = self.fit(form, Some(&from));
+            if let Some(Trial { refit, .. }) = &found {
+                from = refit.clone();
+            }
+            trials.0.insert(form, found);
+        }
+        // Hysteresis and two lags together may be more probable than a shared lag although neither is alone. Without
+        // hysteresis, errors of the force at the settings explain the force after a step.
+        let with_hysteresis = |form: ActuatorForm| {
+            let without = trials.find(form)?;
+            let form = ActuatorForm { hysteresis: true, ..form };
+            Some((form, self.fit(form, Some(&without.refit))))
+        };
+        let further: Vec<_> = VALVES.into_par_iter().filter_map(with_hysteresis).collect();
+        trials.0.extend(further);
+        Some(trials)
+    }
+
+    /// Refits the forms that have one part more or less than a form.
+    fn try_parts(&self, trials: &mut Trials, of: ActuatorForm) {
         let own = trials.find(of).map(|trial| &trial.refit);
         let forms = PARTS.iter().filter_map(|part| toggled(of, part)).filter(|form| !trials.0.contains_key(form));
         let forms: Vec<ActuatorForm> = forms.collect();
-        let found: Vec<_> = forms.into_par_iter().map(|form| (form, fit(form, own))).collect();
+        let found: Vec<_> = forms.into_par_iter().map(|form| (form, self.fit(form, own))).collect();
         trials.0.extend(found);
-    };
-    let mut best = trials.best(ActuatorForm::NONE);
-    for _ in 0..2 * PARTS.len() {
-        if cancel::asked() {
-            break;
-        }
-        try_parts(&mut trials, best);
-        let next = trials.best(best);
-        if next == best {
-            break;
-        }
-        best = next;
     }
-    // The identified model contains no force errors. Of equally probable forms, the one that fits best without these
-    // errors also predicts best.
-    let most = trials.scored(best)?.0;
-    let tied = trials.0.values().flatten().filter(|trial| trials.log_posterior(trial) > most - TIED);
-    let alone = |Trial { refit, .. }: &Trial| {
-        let alone = ActuatorProblem::new(context, refit.form).without_force_errors(refit)?;
-        Some((log_posterior(&alone, context, &places), refit.form))
+
+    /// Returns the most probable form, found by changes of single parts.
+    fn climb(&self, trials: &mut Trials) -> ActuatorForm {
+        let mut best = trials.best(ActuatorForm::NONE);
+        for _ in 0..2 * PARTS.len() {
+            if cancel::asked() {
+                break;
+            }
+            self.try_parts(trials, best);
+            let next = trials.best(best);
+            if next == best {
+                break;
+            }
+            best = next;
+        }
+        best
+    }
+
+    /// Returns the form that predicts best among those that are as probable as `best`. The identified model contains no
+    /// force errors, so the form that fits best without these errors also predicts best.
+    fn break_tie(&self, trials: &Trials, best: ActuatorForm) -> Option<ActuatorForm> {
+        let most = trials.scored(best)?.0;
+        let tied = trials.0.values().flatten().filter(|trial| trials.log_posterior(trial) > most - TIED);
+        let alone = |Trial { refit, .. }: &Trial| {
+            let alone = ActuatorProblem::new(self.context, refit.form).without_force_errors(refit)?;
+            Some((self.log_posterior(&alone), refit.form))
+        };
+        let closest = tied.filter_map(alone).max_by(|a, b| a.0.total_cmp(&b.0));
+        Some(closest.map_or(best, |(_, form)| form))
+    }
+}
+
+/// Returns the log odds of every part: those of the form `best` with and without it. `most` is its log posterior.
+fn part_odds(trials: &Trials, best: ActuatorForm, most: f64) -> Vec<ActuatorPart> {
+    let odds = |part: &&'static str| {
+        let is_present = has(best, part);
+        let other = trials.scored(toggled(best, part)?)?.0;
+        let log_odds = if is_present { most - other } else { other - most };
+        Some(ActuatorPart { name: part, is_present, log_odds })
     };
-    let closest = tied.filter_map(alone).max_by(|a, b| a.0.total_cmp(&b.0));
-    let best = closest.map_or(best, |(_, form)| form);
+    PARTS.iter().filter_map(odds).collect()
+}
+
+/// Finds the most probable actuator. Returns `None` if no form gives a finite force.
+pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync)) -> Option<ActuatorSearch> {
+    let places = context.tests.iter().map(responding).collect();
+    let search = Search { context, places, fits: AtomicUsize::new(0), progress };
+    let mut trials = search.try_valves()?;
+    let best = search.climb(&mut trials);
+    let best = search.break_tie(&trials, best)?;
     // Every part of the chosen form gets its log odds, which compare the form with and without it.
-    try_parts(&mut trials, best);
+    search.try_parts(&mut trials, best);
     let (most, own) = trials.scored(best)?;
-    let parts = PARTS
-        .iter()
-        .filter_map(|part| {
-            let is_present = has(best, part);
-            let other = trials.scored(toggled(best, part)?)?.0;
-            let log_odds = if is_present { most - other } else { other - most };
-            Some(ActuatorPart { name: part, is_present, log_odds })
-        })
-        .collect();
+    let parts = part_odds(&trials, best, most);
     let others = trials.0.values().flatten().filter(|trial| trial.refit.form != best);
     let alternatives = others
         .map(|trial| (trials.log_posterior(trial) - most, trial.refit.clone()))
@@ -301,7 +338,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         .collect();
     let problem = ActuatorProblem::new(context, best);
     let best = problem.refit(Some(&own.refit.theta), FINE)?;
-    let best = problem.refit_place(best, FINE, &|refit| log_posterior(refit, context, &places));
+    let best = problem.refit_place(best, FINE, &|refit| search.log_posterior(refit));
     let timing = problem.timing_derivatives(&best.theta)?;
     let without_errors_between = problem.refit_without_errors_between(&best.theta, FINE);
     Some(ActuatorSearch { best, parts, alternatives, without_errors_between, timing })

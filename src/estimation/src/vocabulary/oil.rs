@@ -3,6 +3,7 @@
 use super::{Candidate, Fresh, LinearExtension, Start, candidate, fresh, held, linear, log, near};
 use crate::hypothesis::Free;
 use crate::situation::Situation;
+use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
 /// Start value of the reciprocal length of an oil column, 1/m.
@@ -33,6 +34,14 @@ fn capped(s: &Situation, stroke: f64, top: f64) -> Vec<(f64, LinearExtension)> {
 
 /// Adds the candidates for compressibility, aeration, cavitation and thinning of the oil.
 pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
+    oil_compressibility(s, all);
+    aeration(all);
+    cavitation(s, all);
+    temperature_fade(s, all);
+}
+
+/// Adds the candidates for an oil column that is compressible, in equal or in different chambers.
+fn oil_compressibility(s: &Situation, all: &mut Vec<Candidate>) {
     let stiffness =
         if s.base.is_on(element!("series_compliance")) { s.base.number(number!("series_stiffness")) } else { 2e6 };
     for (chambers, form) in [(0.0, "rebound chamber"), (1.0, "both chambers")] {
@@ -70,6 +79,10 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 .to_vec(),
         )
     });
+}
+
+/// Adds the candidate for air in the oil.
+fn aeration(all: &mut Vec<Candidate>) {
     all.push(candidate(
         &[element!("aeration")],
         // If the estimated air exceeds that of any oil, the cause is play, a mount, or an elastic chamber.
@@ -87,6 +100,17 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             }))
             .collect(),
     ));
+}
+
+/// Adds the candidates for voids: a force cap, a void with gas, a chamber that is not refilled.
+fn cavitation(s: &Situation, all: &mut Vec<Candidate>) {
+    force_caps(s, all);
+    void_with_gas(s, all);
+    unfilled(s, all);
+}
+
+/// Adds the candidates for a force cap on one stroke.
+fn force_caps(s: &Situation, all: &mut Vec<Candidate>) {
     for (side, stroke, top) in [(0.0, -1.0, s.top_compression), (1.0, 1.0, s.top_rebound)] {
         for kept in [1.0, 0.0] {
             all.push(Candidate {
@@ -114,6 +138,10 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
             });
         }
     }
+}
+
+/// Adds the candidate for a force cap in compression at which dissolved gas expands.
+fn void_with_gas(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(Candidate {
         form: "compression capped, gas expands in the void",
         fixed: vec![(number!("cavitation_side"), 0.0), (number!("cavitation_return"), 1.0)],
@@ -130,69 +158,88 @@ pub(super) fn oil(s: &Situation, all: &mut Vec<Candidate>) {
                 .collect(),
         )
     });
-    unfilled(s, all);
-    let fade = |source: f64, reference: f64| {
-        vec![
-            (number!("fade_source"), source),
-            (number!("fade_reference"), reference),
-            (number!("fade_slackening"), 1.0 / (reference + VOGEL)),
-        ]
-    };
+}
+
+/// Returns the fixed parameters of oil that is thinner than at the temperature `reference`, °C. `source` states whether
+/// the temperature is measured (0) or computed from the dissipated work (1).
+fn fade(source: f64, reference: f64) -> Vec<(Number, f64)> {
+    vec![
+        (number!("fade_source"), source),
+        (number!("fade_reference"), reference),
+        (number!("fade_slackening"), 1.0 / (reference + VOGEL)),
+    ]
+}
+
+/// Adds the candidates for oil that becomes thinner with temperature.
+fn temperature_fade(s: &Situation, all: &mut Vec<Candidate>) {
     if s.temperature_measured {
-        all.push(Candidate {
-            form: "measured temperature",
-            fixed: fade(0.0, s.temperature),
-            ..candidate(
-                &[element!("temperature_fade")],
-                vec![
-                    linear(number!("fade_coefficient"), (0.001, 0.07)),
-                    held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
-                ],
-                vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3]), Start::at(&[0.03, 2e3])],
-            )
-        });
-        // The temperature of a sensor on the tube lags behind that of the oil. The difference is the power divided by
-        // the heat transfer per kelvin from oil to tube.
-        all.push(Candidate {
-            form: "oil warmer than measured",
-            fixed: fade(1.0, s.temperature),
-            ..candidate(
-                &[element!("temperature_fade")],
-                vec![
-                    linear(number!("fade_coefficient"), (0.001, 0.07)),
-                    Fresh { deviation: Some(0.8), ..fresh(Free::Cooling, (0.01, 0.5)) },
-                    Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 1500.0)) },
-                    held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
-                ],
-                vec![
-                    Start::at(&[0.004, 0.06, 250.0, 1e4]),
-                    Start::at(&[0.01, 0.06, 250.0, 1e3]),
-                    Start::at(&[0.03, 0.06, 250.0, 2e3]),
-                ],
-            )
-        });
+        all.push(fade_with_measured_temperature(s.temperature));
+        all.push(fade_of_warmer_oil(s.temperature));
     } else {
-        all.push(Candidate {
-            form: "heated by its own work",
-            fixed: fade(1.0, 20.0),
-            ..candidate(
-                &[element!("temperature_fade")],
-                vec![
-                    linear(number!("fade_coefficient"), (0.001, 0.07)),
-                    Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 0.1)) },
-                    // The records determine heat capacity and fade coefficient separately only if the force decreases
-                    // nonlinearly with temperature.
-                    Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 5000.0)) },
-                    held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
-                ],
-                vec![
-                    Start::at(&[0.004, 2e-3, 600.0, 1e4]),
-                    Start::at(&[0.004, 1e-2, 600.0, 1e4]),
-                    Start::at(&[0.01, 2e-3, 600.0, 1e3]),
-                    Start::at(&[0.01, 1e-2, 600.0, 1e3]),
-                ],
-            )
-        });
+        all.push(fade_by_own_work());
+    }
+}
+
+fn fade_with_measured_temperature(reference: f64) -> Candidate {
+    Candidate {
+        form: "measured temperature",
+        fixed: fade(0.0, reference),
+        ..candidate(
+            &[element!("temperature_fade")],
+            vec![
+                linear(number!("fade_coefficient"), (0.001, 0.07)),
+                held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
+            ],
+            vec![Start::at(&[0.004, 1e4]), Start::at(&[0.01, 1e3]), Start::at(&[0.03, 2e3])],
+        )
+    }
+}
+
+/// Makes the candidate for a sensor on the tube, whose temperature lags behind that of the oil.
+fn fade_of_warmer_oil(reference: f64) -> Candidate {
+    // The difference of temperatures is the power divided by the heat transfer per kelvin from oil to tube.
+    Candidate {
+        form: "oil warmer than measured",
+        fixed: fade(1.0, reference),
+        ..candidate(
+            &[element!("temperature_fade")],
+            vec![
+                linear(number!("fade_coefficient"), (0.001, 0.07)),
+                Fresh { deviation: Some(0.8), ..fresh(Free::Cooling, (0.01, 0.5)) },
+                Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 1500.0)) },
+                held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
+            ],
+            vec![
+                Start::at(&[0.004, 0.06, 250.0, 1e4]),
+                Start::at(&[0.01, 0.06, 250.0, 1e3]),
+                Start::at(&[0.03, 0.06, 250.0, 2e3]),
+            ],
+        )
+    }
+}
+
+/// Makes the candidate for oil whose temperature follows from the dissipated work.
+fn fade_by_own_work() -> Candidate {
+    Candidate {
+        form: "heated by its own work",
+        fixed: fade(1.0, 20.0),
+        ..candidate(
+            &[element!("temperature_fade")],
+            vec![
+                linear(number!("fade_coefficient"), (0.001, 0.07)),
+                Fresh { deviation: Some(1.2), ..fresh(Free::Cooling, (5e-4, 0.1)) },
+                // The records determine heat capacity and fade coefficient separately only if the force decreases
+                // nonlinearly with temperature.
+                Fresh { deviation: Some(0.8), ..fresh(Free::HeatCapacity, (100.0, 5000.0)) },
+                held(number!("fade_laminar_force"), (50.0, 1e6), 1.2),
+            ],
+            vec![
+                Start::at(&[0.004, 2e-3, 600.0, 1e4]),
+                Start::at(&[0.004, 1e-2, 600.0, 1e4]),
+                Start::at(&[0.01, 2e-3, 600.0, 1e3]),
+                Start::at(&[0.01, 1e-2, 600.0, 1e3]),
+            ],
+        )
     }
 }
 

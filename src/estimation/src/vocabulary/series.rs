@@ -19,6 +19,18 @@ fn by_friction() -> Loss {
 
 /// Adds the candidates for the series path.
 pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
+    series_compliance(s, all);
+    if !s.base.is_on(element!("series_compliance")) {
+        return;
+    }
+    bushing(all);
+    bushing_with_stop(s, all);
+    free_play(all);
+    carrying_the_whole(s, all);
+}
+
+/// Adds the candidates for a series spring.
+fn series_compliance(s: &Situation, all: &mut Vec<Candidate>) {
     // Friction without presliding behind a soft spring acts like presliding friction. In one slow test, the estimate
     // was a mount of 0.25 N/µm that did not exist. Therefore, the form [`CARRIES_WHOLE`] requires presliding friction.
     let whole = s.base.is_on(element!("presliding_friction")).then_some((CARRIES_WHOLE, 1.0));
@@ -37,9 +49,10 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
-    if !s.base.is_on(element!("series_compliance")) {
-        return;
-    }
+}
+
+/// Adds the candidates for rubber that hardens and relaxes, or has friction.
+fn bushing(all: &mut Vec<Candidate>) {
     for (form, (fixed, last), lasts) in
         [("relaxes", by_time(), [5e-3, 3e-2]), ("friction in the rubber", by_friction(), [3e-5, 2e-4])]
     {
@@ -65,6 +78,10 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
+}
+
+/// Adds the candidates for rubber that meets a stop.
+fn bushing_with_stop(s: &Situation, all: &mut Vec<Candidate>) {
     let stop = [log(number!("bushing_stop"), (1e-4, 1.0)), linear(number!("bushing_stop_stiffness"), (0.0, 60.0))];
     // The stiffness of the base is between the stiffnesses before and after the stop.
     let top = 0.5 * (s.top_rebound + s.top_compression) / s.base.number(number!("series_stiffness"));
@@ -107,6 +124,10 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
             ..candidate(&[element!("bushing")], [&stop[..], &losses].concat(), starts)
         });
     }
+}
+
+/// Adds the candidates for play, without and with a load that opens the gap.
+fn free_play(all: &mut Vec<Candidate>) {
     all.push(candidate(
         &[element!("free_play")],
         // A gap closes within a few newtons. If the transition extends over a hundred newtons, the cause is air.
@@ -138,7 +159,6 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
                 .to_vec(),
         )
     });
-    carrying_the_whole(s, all);
 }
 
 /// Form of the series spring as an eye or a mount, which also carries friction and gas. The other form is the oil,

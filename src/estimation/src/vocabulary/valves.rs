@@ -6,6 +6,13 @@ use dashpot_core::{element, number};
 
 /// Adds the candidates for displacement-dependent or frequency-dependent flow, and for valves with a lag.
 pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
+    position_dependent_damping(s, all);
+    frequency_selective_damping(s, all);
+    valve_hysteresis(s, all);
+}
+
+/// Adds the candidates for a bypass or a groove that opens in a part of the stroke.
+fn position_dependent_damping(s: &Situation, all: &mut Vec<Candidate>) {
     let (low, high) = s.reach;
     let (middle, span) = (0.5 * (low + high), 0.5 * (high - low));
     for (form, strength, start, names) in [
@@ -37,6 +44,11 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
             });
         }
     }
+}
+
+/// Adds the candidates for flow that depends on the frequency: a bypass that closes, a filter of the force, or one of
+/// the stroke.
+fn frequency_selective_damping(s: &Situation, all: &mut Vec<Candidate>) {
     all.push(Candidate {
         form: "bypass",
         fixed: vec![(number!("fsd_form"), 2.0)],
@@ -62,37 +74,13 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
             )
         });
     }
+}
+
+/// Adds the candidates for valves that respond late, or open and close at different forces.
+fn valve_hysteresis(s: &Situation, all: &mut Vec<Candidate>) {
+    // Force at which the valves of the model open, N, from which the starts are computed.
     let knee = s.knee_force.max(50.0);
-    // A valve may open at any force above zero, and may open fully when its play is exceeded. Therefore, the plausible
-    // ranges begin at 0.
-    let stands = [log(number!("valve_opening_force"), (0.0, 3000.0)), held(number!("valve_width"), (0.0, 1500.0), 0.8)];
-    for (form, place, lateness, starts) in [
-        (
-            "a valve with play",
-            1.0,
-            [log(number!("valve_play"), (5.0, 1000.0)), held(number!("valve_time"), (0.0, 5e-3), 0.8)],
-            [0.05, 0.2].map(|play| [play * knee, 5e-4]),
-        ),
-        (
-            "a valve with mass",
-            2.0,
-            [log(number!("valve_time"), (1.5e-4, 0.02)), held(number!("valve_damping"), (0.1, 3.0), 0.6)],
-            [[7e-4, 0.7], [3e-3, 0.7]],
-        ),
-    ] {
-        all.push(Candidate {
-            form,
-            fixed: vec![(number!("valve_form"), place)],
-            ..candidate(
-                &[element!("valve_hysteresis")],
-                [lateness, stands.clone()].concat(),
-                [0.3, 0.8]
-                    .iter()
-                    .flat_map(|f| starts.map(|[a, b]| Start::at(&[a, b, f * knee, 0.2 * f * knee])))
-                    .collect(),
-            )
-        });
-    }
+    moving_valves(knee, all);
     all.push(Candidate {
         form: "opens and closes at different forces",
         // With a time of 0.5 ms, the valve is so fast that only the forces determine its state, even in slow motion.
@@ -127,4 +115,38 @@ pub(super) fn valves(s: &Situation, all: &mut Vec<Candidate>) {
                 .collect(),
         )
     });
+}
+
+/// Adds the candidates for a valve with play or with mass. `knee` is the force at which the valves open, N.
+fn moving_valves(knee: f64, all: &mut Vec<Candidate>) {
+    // A valve may open at any force above zero, and may open fully when its play is exceeded. Therefore, the plausible
+    // ranges begin at 0.
+    let stands = [log(number!("valve_opening_force"), (0.0, 3000.0)), held(number!("valve_width"), (0.0, 1500.0), 0.8)];
+    for (form, place, lateness, starts) in [
+        (
+            "a valve with play",
+            1.0,
+            [log(number!("valve_play"), (5.0, 1000.0)), held(number!("valve_time"), (0.0, 5e-3), 0.8)],
+            [0.05, 0.2].map(|play| [play * knee, 5e-4]),
+        ),
+        (
+            "a valve with mass",
+            2.0,
+            [log(number!("valve_time"), (1.5e-4, 0.02)), held(number!("valve_damping"), (0.1, 3.0), 0.6)],
+            [[7e-4, 0.7], [3e-3, 0.7]],
+        ),
+    ] {
+        all.push(Candidate {
+            form,
+            fixed: vec![(number!("valve_form"), place)],
+            ..candidate(
+                &[element!("valve_hysteresis")],
+                [lateness, stands.clone()].concat(),
+                [0.3, 0.8]
+                    .iter()
+                    .flat_map(|f| starts.map(|[a, b]| Start::at(&[a, b, f * knee, 0.2 * f * knee])))
+                    .collect(),
+            )
+        });
+    }
 }

@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::profile::{self, Profile};
 use crate::data::record::Note;
-use crate::error::RecordError;
+use crate::error::{RecordError, RecordFileError, SelectionError};
 use crate::file_extensions::is_record_name;
 use crate::glob;
 use crate::messages::phrases;
@@ -55,13 +55,13 @@ impl Excluded {
 /// and ignored files.
 pub(super) fn find(paths: &[PathBuf], options: &Options, notes: &mut Vec<Note>) -> Result<Found, RecordError> {
     if paths.is_empty() {
-        return Err(RecordError::NoPaths);
+        return Err(SelectionError::NoPaths.into());
     }
     let mut found = Found { files: Vec::new(), folders: Vec::new(), below: Vec::new(), excluded: Excluded::default() };
     let mut search = Search { given: options, found: &mut found, known: HashMap::new(), seen: HashSet::new(), notes };
     for path in paths {
         if !path.exists() {
-            return Err(RecordError::NotFound { file: path.clone() });
+            return Err(RecordFileError::NotFound { file: path.clone() }.into());
         }
         let own = search.options(&profile::folder_of(path), None)?;
         if path.is_dir() {
@@ -117,7 +117,7 @@ impl Search<'_> {
             self.file(file, within, own);
         }
         if holds_none && subfolders.is_empty() {
-            return Err(RecordError::EmptyFolder { folder: folder.to_owned() });
+            return Err(SelectionError::EmptyFolder { folder: folder.to_owned() }.into());
         }
         if own.subfolders {
             for sub in subfolders {
@@ -168,7 +168,11 @@ impl Below {
     }
 
     pub fn to_error(&self) -> RecordError {
-        RecordError::InSubfolders { folder: self.folder.clone(), names: self.names.clone(), count: self.count }
+        RecordError::Selection(SelectionError::InSubfolders {
+            folder: self.folder.clone(),
+            names: self.names.clone(),
+            count: self.count,
+        })
     }
 }
 
@@ -200,7 +204,7 @@ fn entries(
     has_profile: bool,
     notes: &mut Vec<Note>,
 ) -> Result<(Vec<PathBuf>, Vec<PathBuf>), RecordError> {
-    let unreadable = |source| RecordError::Read { file: folder.to_owned(), source };
+    let unreadable = |source| RecordError::File(RecordFileError::Read { file: folder.to_owned(), source });
     let mut entries = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
         entries.push(entry.map_err(unreadable)?.path());

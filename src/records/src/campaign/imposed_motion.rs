@@ -7,7 +7,7 @@ use super::profile::{self, Profile};
 use super::record_file::read_file;
 use crate::cleaning::corrections::calibrate;
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{ColumnError, ImposedMotionError, RecordError, RecordFileError, SampleError};
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
 use crate::signal::consistency;
@@ -44,20 +44,22 @@ pub struct MotionRecord {
 /// increase. A missing setting column, or a velocity that contradicts the displacement, is also a [`RecordError`].
 pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, RecordError> {
     if !file.exists() {
-        return Err(RecordError::NotFound { file: file.into() });
+        return Err(RecordFileError::NotFound { file: file.into() }.into());
     }
     let setting_column = options.columns.get(&Channel::Setting).filter(|_| !options.ignore.contains(&Channel::Setting));
     let mut options = with_profile(file, options)?;
     options.ignore.insert(Channel::Force);
     let mut tests = read_file(file, &options)?;
     let Some(mut samples) = tests.pop() else {
-        return Err(RecordError::NoData { at: crate::Place::file(file) });
+        return Err(SampleError::NoData { at: crate::Place::file(file) }.into());
     };
     if let Some(other) = tests.first() {
-        return Err(RecordError::SeveralMotions { file: file.into(), first: other.name.clone(), second: samples.name });
+        return Err(
+            ImposedMotionError::Several { file: file.into(), first: other.name.clone(), second: samples.name }.into()
+        );
     }
     if let Some(wanted) = setting_column.filter(|_| samples.setting.is_none()) {
-        return Err(RecordError::NoSettingColumn { wanted: wanted.clone() });
+        return Err(ColumnError::NoSettingColumn { wanted: wanted.clone() }.into());
     }
     check(&samples)?;
     calibrate(&mut samples, &options);
@@ -65,7 +67,7 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
         && let Some(agreement) = consistency::compare(&samples.time, displacement, velocity)
         && let Some(cause) = consistency::contradiction(&agreement, &samples.units)
     {
-        return Err(RecordError::Contradiction { at: samples.at, cause });
+        return Err(SampleError::Contradiction { at: samples.at, cause }.into());
     }
     let setting = MotionSetting::take(&mut samples, &options.settings);
     let Samples { time, mut displacement, mut velocity, side_force, temperature, .. } = samples;
@@ -116,24 +118,25 @@ fn check(samples: &Samples) -> Result<(), RecordError> {
     for channel in Channel::ALL {
         let Some(values) = samples.channel(channel) else { continue };
         if let Some(row) = values.iter().position(|v| !v.is_finite()) {
-            return Err(RecordError::MotionGap { at: samples.at.clone(), line: samples.lines[row], channel });
+            return Err(ImposedMotionError::Gap { at: samples.at.clone(), line: samples.lines[row], channel }.into());
         }
         let limit = motion_limit(channel);
         if let Some(row) = values.iter().position(|v| v.abs() > limit) {
             let (at, line, value) = (samples.at.clone(), samples.lines[row], values[row]);
-            return Err(RecordError::MotionBeyond { at, line, channel, value, limit });
+            return Err(ImposedMotionError::Beyond { at, line, channel, value, limit }.into());
         }
     }
     if samples.len() < 2 {
-        return Err(RecordError::ShortMotion { at: samples.at.clone() });
+        return Err(ImposedMotionError::TooShort { at: samples.at.clone() }.into());
     }
     if let Some(row) = samples.time.windows(2).position(|t| t[1] <= t[0]) {
-        return Err(RecordError::MotionTime {
+        return Err(ImposedMotionError::TimeBackwards {
             at: samples.at.clone(),
             line: samples.lines[row + 1],
             from: samples.time[row],
             to: samples.time[row + 1],
-        });
+        }
+        .into());
     }
     Ok(())
 }

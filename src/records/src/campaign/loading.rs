@@ -6,7 +6,7 @@ use std::path::PathBuf;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-use super::file_search::{Below, Found, file_name, find};
+use super::file_search::{Below, Excluded, File, Found, file_name, find};
 use super::profile;
 use super::record_file::read_file;
 use super::unusable::{self, Sieve, Unusable};
@@ -19,7 +19,7 @@ use crate::data::record::{Note, Record};
 use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
 use crate::data::setting_signal::SettingSignal;
-use crate::error::RecordError;
+use crate::error::{ColumnError, RecordError, SelectionError};
 use crate::messages::phrases;
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
@@ -102,22 +102,14 @@ pub fn load(
     progress: &(dyn Fn(Progress) + Sync),
 ) -> Result<Campaign, RecordError> {
     if let Some(&channel) = [Channel::Time, Channel::Force].iter().find(|c| options.ignore.contains(c)) {
-        return Err(RecordError::Indispensable { channel });
+        return Err(SelectionError::Indispensable { channel }.into());
     }
     let mut notes = Vec::new();
     let Found { files, folders, below, mut excluded } = find(paths, options, &mut notes)?;
     let given = options;
     let options = &whole(given, &folders)?;
     let counter = Counter::new(files.len(), progress);
-    // Read every file before selecting the first error, so that the error does not depend on the threads.
-    let read: Vec<Result<Vec<Samples>, RecordError>> = files
-        .par_iter()
-        .map(|file| {
-            let tests = read_file(&file.path, &file.options);
-            counter.step(tests.as_ref().map_or(0, Vec::len));
-            tests
-        })
-        .collect();
+    let read = read_all(&files, &counter);
     // If no file is readable but subfolders contain records, the user likely means the subfolders, so the error names
     // them.
     let strays_alone = excluded.count == 0 && read.iter().all(Result::is_err);
@@ -125,41 +117,83 @@ pub fn load(
         return Err(below.to_error());
     }
     let mut sieve = Sieve::new(options.strict);
-    let mut tests: Vec<(&Options, Samples)> = Vec::new();
+    let mut tests = select_tests(&files, read, &mut excluded, &mut sieve)?;
+    if let Some(pattern) = given.exclude.iter().find(|p| !excluded.patterns.contains(*p)) {
+        let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
+        return Err(SelectionError::ExcludesNothing { pattern: pattern.clone(), first }.into());
+    }
+    if tests.is_empty() && sieve.is_empty() {
+        return Err(SelectionError::ExcludesAll { count: excluded.count }.into());
+    }
+    date_agreement::settle(&mut tests, &mut notes);
+    notes.extend(below.iter().map(Below::note));
+    let pieces = sort_out(tests, &mut sieve)?;
+    counter.expect(files.len() + pieces.len());
+    let units = FileUnits::collect(&pieces);
+    let mut motions = mend(pieces, &counter, &mut sieve)?;
+    tell_splits(&motions, &mut notes);
+    let mut of_the_sign = Vec::new();
+    let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
+    let mut records = finish(motions, options, (&sign, delay), &mut sieve)?;
+    let unusable = sieve.report(&mut notes);
+    notes.append(&mut of_the_sign);
+    unique_names(&mut records);
+    assign_settings(&mut records, options, &mut notes)?;
+    common_clock::settle(&mut records, &mut notes);
+    check(&mut records, options, &units, sign.positive, &mut notes)?;
+    let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
+    let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
+    Ok(Campaign { records, sign, delay, notes, unusable, files })
+}
+
+/// Test or piece of a test, with the options of its file.
+type WithOptions<'a, T> = (&'a Options, T);
+
+/// Reads every file, also after an error, so that the first error does not depend on the threads.
+fn read_all(files: &[File], counter: &Counter) -> Vec<Result<Vec<Samples>, RecordError>> {
+    let read = files.par_iter().map(|file| {
+        let tests = read_file(&file.path, &file.options);
+        counter.step(tests.as_ref().map_or(0, Vec::len));
+        tests
+    });
+    read.collect()
+}
+
+/// Returns the tests that the user does not exclude.
+fn select_tests<'a>(
+    files: &'a [File],
+    read: Vec<Result<Vec<Samples>, RecordError>>,
+    excluded: &mut Excluded,
+    sieve: &mut Sieve,
+) -> Result<Vec<WithOptions<'a, Samples>>, RecordError> {
+    let mut tests = Vec::new();
     for (file, read) in files.iter().zip(read) {
         let mut read = sieve.pass(read)?.unwrap_or_default();
         read.iter_mut().for_each(|test| test.name.insert_str(0, &file.within));
         let kept = read.into_iter().filter(|test| !excluded.takes(&file.options, &test.name));
         tests.extend(kept.map(|test| (&*file.options, test)));
     }
-    if let Some(pattern) = given.exclude.iter().find(|p| !excluded.patterns.contains(*p)) {
-        let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
-        return Err(RecordError::ExcludesNothing { pattern: pattern.clone(), first });
-    }
-    if tests.is_empty() && sieve.is_empty() {
-        return Err(RecordError::ExcludesAll { count: excluded.count });
-    }
-    date_agreement::settle(&mut tests, &mut notes);
-    notes.extend(below.iter().map(Below::note));
-    let sorted: Vec<(&Options, Result<Vec<Samples>, RecordError>)> =
+    Ok(tests)
+}
+
+/// Orders the rows of the tests and splits tests that are interrupted.
+fn sort_out<'a>(
+    tests: Vec<WithOptions<'a, Samples>>,
+    sieve: &mut Sieve,
+) -> Result<Vec<WithOptions<'a, Samples>>, RecordError> {
+    let sorted: Vec<WithOptions<Result<Vec<Samples>, RecordError>>> =
         tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();
     let mut pieces = Vec::new();
     for (options, sorted) in sorted {
         pieces.extend(sieve.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
     }
-    counter.expect(files.len() + pieces.len());
-    let readings = pieces
-        .iter()
-        .map(|(options, piece)| {
-            (piece.at.to_string(), deviating_tests::Reading { units: piece.units.clone(), options })
-        })
-        .collect();
+    Ok(pieces)
+}
+
+/// Repairs the pieces and completes their motion.
+fn mend(pieces: Vec<WithOptions<Samples>>, counter: &Counter, sieve: &mut Sieve) -> Result<Vec<Motion>, RecordError> {
     let reach = pieces.iter().fold(cleaning::Reach::default(), |reach, (_, piece)| reach.with(piece));
-    let counts_inches = pieces.iter().any(|(_, piece)| {
-        let units = [(Channel::Displacement, Unit::Inch), (Channel::Velocity, Unit::InchPerSecond)];
-        piece.units.iter().any(|unit| units.contains(unit))
-    });
-    let mended: Vec<Result<_, RecordError>> = pieces
+    let mended: Vec<Result<Motion, RecordError>> = pieces
         .into_par_iter()
         .map(|(options, test)| {
             let mended = cleaning::mend(test, options, &reach);
@@ -167,47 +201,85 @@ pub fn load(
             mended
         })
         .collect();
-    let mut motions =
-        mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    let motions: Vec<Motion> =
+        mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<_, _>>()?;
     sieve.reject_most(motions.len())?;
-    tell_splits(&motions, &mut notes);
-    let mut of_the_sign = Vec::new();
-    let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
-    let counted = sign.counted();
+    Ok(motions)
+}
+
+/// Makes the records. `rig` is the sign convention of the files and the delay of the force.
+fn finish(
+    motions: Vec<Motion>,
+    options: &Options,
+    rig: (&SignFinding, Option<Delay>),
+    sieve: &mut Sieve,
+) -> Result<Vec<Record>, RecordError> {
+    let (counted, delay_s) = (rig.0.counted(), rig.1.map_or(0.0, |delay| delay.seconds));
     let finished: Vec<Result<Record, RecordError>> = motions
         .into_par_iter()
         .map(|motion| {
             let mut record = cleaning::finish(motion)?;
             record.counted = Some(counted);
-            record.apparent_delay_s = delay.map_or(0.0, |delay| delay.seconds);
+            record.apparent_delay_s = delay_s;
             plausibility::refuse_absurd(&record, options)?;
             Ok(record)
         })
         .collect();
-    let mut records =
-        finished.into_iter().map(|r| sieve.pass(r)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    let records: Vec<Record> =
+        finished.into_iter().map(|r| sieve.pass(r)).filter_map(Result::transpose).collect::<Result<_, _>>()?;
     sieve.reject_most(records.len())?;
-    let unusable = sieve.report(&mut notes);
-    notes.append(&mut of_the_sign);
-    unique_names(&mut records);
+    Ok(records)
+}
+
+/// Assigns the settings that the user, the tests or their names state.
+fn assign_settings(records: &mut [Record], options: &Options, notes: &mut Vec<Note>) -> Result<(), RecordError> {
     let is_without = records.iter().all(|record| record.setting.is_none() && record.setting_signal.is_none());
     if let Some(wanted) = options.columns.get(&Channel::Setting).filter(|_| is_without && !records.is_empty()) {
-        return Err(RecordError::NoSettingColumn { wanted: wanted.clone() });
+        return Err(ColumnError::NoSettingColumn { wanted: wanted.clone() }.into());
     }
-    assignment::assign_settings(&mut records, &options.settings, &mut notes);
-    common_clock::settle(&mut records, &mut notes);
-    unit_magnitude::refuse(&records, options)?;
-    deviating_tests::check(&records, &readings, &mut notes)?;
-    let frame = rig_frame(&records, sign.positive, options, counts_inches);
+    assignment::assign_settings(records, &options.settings, notes);
+    Ok(())
+}
+
+/// Units in which the files were read.
+struct FileUnits<'a> {
+    /// Units and options by the place of the test.
+    readings: HashMap<String, deviating_tests::Reading<'a>>,
+    /// Whether a motion is in inches.
+    has_inches: bool,
+}
+
+impl<'a> FileUnits<'a> {
+    fn collect(pieces: &[WithOptions<'a, Samples>]) -> FileUnits<'a> {
+        let readings = pieces.iter().map(|(options, piece)| {
+            (piece.at.to_string(), deviating_tests::Reading { units: piece.units.clone(), options })
+        });
+        let has_inches = pieces.iter().any(|(_, piece)| {
+            let units = [(Channel::Displacement, Unit::Inch), (Channel::Velocity, Unit::InchPerSecond)];
+            piece.units.iter().any(|unit| units.contains(unit))
+        });
+        FileUnits { readings: readings.collect(), has_inches }
+    }
+}
+
+/// Checks units, magnitudes and forces of the records against each other, and adds the frame of the rig to them.
+fn check(
+    records: &mut [Record],
+    options: &Options,
+    units: &FileUnits,
+    positive: Positive,
+    notes: &mut Vec<Note>,
+) -> Result<(), RecordError> {
+    unit_magnitude::refuse(records, options)?;
+    deviating_tests::check(records, &units.readings, notes)?;
+    let frame = rig_frame(records, positive, options, units.has_inches);
     records.iter_mut().for_each(|record| record.frame = frame);
-    plausibility::remark(&records, options, &mut notes)?;
-    let in_the_middle = force_levels::in_the_middle(&records);
-    force_offset::tell(&records, &in_the_middle, &mut notes);
-    unstated_settings::tell(&records, &in_the_middle, &mut notes);
-    truncated_test::tell(&records, &mut notes);
-    let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
-    let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
-    Ok(Campaign { records, sign, delay, notes, unusable, files })
+    plausibility::remark(records, options, notes)?;
+    let in_the_middle = force_levels::in_the_middle(records);
+    force_offset::tell(records, &in_the_middle, notes);
+    unstated_settings::tell(records, &in_the_middle, notes);
+    truncated_test::tell(records, notes);
+    Ok(())
 }
 
 /// Returns the rig's sign convention, displacement zero and ranges of motion, from the records of a campaign and its
@@ -256,10 +328,11 @@ fn whole(options: &Options, folders: &[(PathBuf, Options)]) -> Result<Options, R
     let mut said = folders.iter().filter_map(|(folder, of)| of.positive.map(|p| (folder, p)));
     if let (None, Some((first, positive))) = (options.positive, said.next()) {
         if let Some((second, _)) = said.find(|(_, other)| *other != positive) {
-            return Err(RecordError::ProfilesDisagree {
+            return Err(SelectionError::ProfilesDisagree {
                 first: first.join(profile::FILE),
                 second: second.join(profile::FILE),
-            });
+            }
+            .into());
         }
         whole.positive = Some(positive);
     }

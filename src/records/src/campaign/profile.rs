@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::dates::date_order::DateOrder;
-use crate::error::RecordError;
+use crate::error::{RecordError, RecordFileError};
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::SettingRules;
@@ -113,13 +113,17 @@ impl Profile {
         let file = folder.join(FILE);
         let text = match source::text(&file, LARGEST) {
             Ok(text) => text,
-            Err(RecordError::Read { source, .. }) if source.kind() == std::io::ErrorKind::NotFound => return Ok(None),
+            Err(RecordError::File(RecordFileError::Read { source, .. }))
+                if source.kind() == std::io::ErrorKind::NotFound =>
+            {
+                return Ok(None);
+            }
             Err(error) => return Err(error),
         };
         if text.trim().is_empty() {
             return Ok(None);
         }
-        let wrong = |cause: String| RecordError::Profile { file: file.clone(), cause };
+        let wrong = |cause: String| RecordError::File(RecordFileError::Profile { file: file.clone(), cause });
         let table: toml::Table = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
         match table.get("format").and_then(toml::Value::as_str) {
             Some(FORMAT) => {}

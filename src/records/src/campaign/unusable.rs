@@ -7,7 +7,7 @@
 use serde::{Deserialize, Serialize};
 
 use crate::data::record::Note;
-use crate::error::RecordError;
+use crate::error::{ColumnError, RecordError, RecordFileError, SampleError};
 use crate::messages::phrases;
 use dashpot_messages::Sentence;
 
@@ -50,41 +50,60 @@ pub(crate) enum Reach {
 impl RecordError {
     /// Returns the scope of this fault.
     pub(crate) fn reach(&self) -> Reach {
-        use RecordError as E;
         match self {
-            E::UnknownType { .. }
-            | E::NotRead { .. }
-            | E::EmptyFile { .. }
-            | E::NotRegular { .. }
-            | E::IsPeakTable { .. }
-            | E::TooLarge { .. }
-            | E::TooCostly { .. }
-            | E::TooManyColumns { .. }
-            | E::Workbook { .. }
-            | E::Rpc { .. }
-            | E::Binary { .. }
-            | E::Mat { .. }
-            | E::Header { .. }
-            | E::NoData { .. } => Reach::NoRecord,
-            E::TooFew { .. }
-            | E::Missing { .. }
-            | E::TimeBackwards { .. }
-            | E::Frozen { .. }
-            | E::Clipped { .. }
-            | E::NoMotion { .. }
-            | E::ConstantForce { .. } => Reach::Test,
-            // A file without the columns of the other files is a damaged record or a table of another kind, unless most
-            // files lack them.
-            E::MissingColumn { .. }
-            | E::NoSuchColumn { .. }
-            | E::Cell { .. }
-            | E::Fields { .. }
-            | E::ConstantTime { .. }
-            | E::Contradiction { .. } => Reach::TestUnlessMost,
+            RecordError::File(error) => reach_of_file(error),
+            RecordError::Column(error) => reach_of_columns(error),
+            RecordError::Sample(error) => reach_of_samples(error),
             // Implausible values and exchanged headings concern the campaign, because a wrong unit or column of all
             // tests may show only in a few strong tests.
-            _ => Reach::Campaign,
+            RecordError::Implausible(_) | RecordError::Selection(_) | RecordError::ImposedMotion(_) => Reach::Campaign,
         }
+    }
+}
+
+fn reach_of_file(error: &RecordFileError) -> Reach {
+    use RecordFileError as E;
+    match error {
+        E::UnknownType { .. }
+        | E::NotRead { .. }
+        | E::EmptyFile { .. }
+        | E::NotRegular { .. }
+        | E::IsPeakTable { .. }
+        | E::TooLarge { .. }
+        | E::TooCostly { .. }
+        | E::Workbook { .. }
+        | E::Rpc { .. }
+        | E::Binary { .. }
+        | E::Mat { .. } => Reach::NoRecord,
+        E::NotFound { .. } | E::Read { .. } | E::PeakTable { .. } | E::Profile { .. } => Reach::Campaign,
+    }
+}
+
+fn reach_of_columns(error: &ColumnError) -> Reach {
+    use ColumnError as E;
+    match error {
+        E::TooManyColumns { .. } | E::Header { .. } => Reach::NoRecord,
+        // A file without the columns of the other files is a damaged record or a table of another kind, unless most
+        // files lack them.
+        E::MissingColumn { .. } | E::NoSuchColumn { .. } => Reach::TestUnlessMost,
+        E::SeveralColumns { .. } | E::NoSettingColumn { .. } | E::MissingUnit { .. } | E::UnknownUnit { .. } => {
+            Reach::Campaign
+        }
+    }
+}
+
+fn reach_of_samples(error: &SampleError) -> Reach {
+    use SampleError as E;
+    match error {
+        E::NoData { .. } => Reach::NoRecord,
+        E::TooFew { .. }
+        | E::Missing { .. }
+        | E::TimeBackwards { .. }
+        | E::Frozen { .. }
+        | E::Clipped { .. }
+        | E::NoMotion { .. }
+        | E::ConstantForce { .. } => Reach::Test,
+        E::Cell { .. } | E::Fields { .. } | E::ConstantTime { .. } | E::Contradiction { .. } => Reach::TestUnlessMost,
     }
 }
 
@@ -171,26 +190,27 @@ fn in_words(error: &RecordError) -> Unusable {
 mod tests {
     use super::*;
     use crate::Place;
+    use crate::error::{PlausibilityError, SelectionError};
     use crate::quantities::channel::Channel;
 
     fn short() -> RecordError {
-        RecordError::TooFew { at: Place::file("s.csv"), samples: 3, needed: 20 }
+        RecordError::Sample(SampleError::TooFew { at: Place::file("s.csv"), samples: 3, needed: 20 })
     }
 
     fn doubtful() -> RecordError {
-        RecordError::ConstantTime { at: Place::file("a.csv"), time: 7.0 }
+        RecordError::Sample(SampleError::ConstantTime { at: Place::file("a.csv"), time: 7.0 })
     }
 
     fn absurd() -> RecordError {
-        RecordError::Absurd {
+        RecordError::Implausible(PlausibilityError::Absurd {
             record: "a.csv".into(),
             what: Sentence::as_it_is("a force of 900 kN"),
             advice: phrases::SAY_N,
-        }
+        })
     }
 
     fn stray() -> RecordError {
-        RecordError::EmptyFile { file: "e.csv".into() }
+        RecordError::File(RecordFileError::EmptyFile { file: "e.csv".into() })
     }
 
     fn sieve(faults: Vec<RecordError>) -> Sieve {
@@ -227,14 +247,16 @@ mod tests {
 
     #[test]
     fn a_file_without_the_columns_of_the_others_is_left_out() {
-        let other_table = || RecordError::MissingColumn {
-            at: Place::file("peaks.csv"),
-            line: 1,
-            missing: "time",
-            example: Channel::Time,
-            found: "'speed', 'force'".into(),
-            near: None,
-            units: Vec::new(),
+        let other_table = || {
+            RecordError::Column(ColumnError::MissingColumn {
+                at: Place::file("peaks.csv"),
+                line: 1,
+                missing: "time",
+                example: Channel::Time,
+                found: "'speed', 'force'".into(),
+                near: None,
+                units: Vec::new(),
+            })
         };
         let mut one = sieve(vec![other_table()]);
         one.reject_most(2).unwrap();
@@ -244,7 +266,7 @@ mod tests {
 
     #[test]
     fn questions_to_the_user_and_strict_runs_stay_errors() {
-        for question in [RecordError::NoPaths, absurd()] {
+        for question in [RecordError::Selection(SelectionError::NoPaths), absurd()] {
             assert!(Sieve::new(false).pass::<()>(Err(question)).is_err());
         }
         assert!(Sieve::new(true).pass::<()>(Err(short())).is_err());

@@ -6,7 +6,7 @@
 use std::collections::HashMap;
 
 use crate::data::record::{Note, Record};
-use crate::error::RecordError;
+use crate::error::{PlausibilityError, RecordError};
 use crate::messages::phrases;
 use crate::numbers::range;
 use crate::options::Options;
@@ -25,7 +25,7 @@ pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), Re
         // If the user has stated the unit, the advice to state it does not help.
         let given = channels.iter().any(|channel| options.units.contains_key(channel));
         let advice = if given { phrases::UNIT_WAS_GIVEN } else { advice };
-        Err(RecordError::Absurd { record: record.source.clone(), what, advice })
+        Err(PlausibilityError::Absurd { record: record.source.clone(), what, advice }.into())
     };
     let motion = [Channel::Displacement, Channel::Velocity, Channel::Time];
     if record.amplitude > LARGEST_AMPLITUDE {
@@ -61,12 +61,13 @@ pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note
     if let Some(first) = silent.first() {
         let (count, all) = (silent.len(), records.len());
         if 2 * count > all {
-            return Err(RecordError::NoForce {
+            return Err(PlausibilityError::NoForce {
                 count,
                 all,
                 record: first.source.clone(),
                 noise: first.noise.force_rms,
-            });
+            }
+            .into());
         }
         let names = silent.iter().map(|r| &r.name);
         notes.push(Note {
@@ -77,7 +78,7 @@ pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note
     if records.iter().all(|r| range(&r.force) < LEAST_FORCE)
         && let Some(first) = records.first()
     {
-        return Err(RecordError::Absurd {
+        return Err(PlausibilityError::Absurd {
             record: first.source.clone(),
             what: Sentence::from(phrases::NO_MORE_FORCE).with("force", format!("{:.2e}", range(&first.force))),
             advice: if options.units.contains_key(&Channel::Force) || options.gain != 1.0 {
@@ -85,7 +86,8 @@ pub(crate) fn remark(records: &[Record], options: &Options, notes: &mut Vec<Note
             } else {
                 phrases::SAY_STRONGER
             },
-        });
+        }
+        .into());
     }
     let most = |figure: fn(&Record) -> f64| records.iter().map(figure).fold(0.0_f64, f64::max);
     let mut small = |figure: f64, limit: f64, text: Sentence| {

@@ -17,7 +17,7 @@ use crate::cleaning::delay_motion;
 use crate::cleaning::swapped_columns::Overtones;
 use crate::data::complete_motion::Motion;
 use crate::data::record::{Counted, Note};
-use crate::error::RecordError;
+use crate::error::{PlausibilityError, RecordError};
 use crate::messages::newtons::newtons;
 use crate::messages::phrases;
 use crate::numbers::{median, quantile};
@@ -149,7 +149,7 @@ fn lateness(
         let cause =
             Sentence::from(phrases::EXCHANGED_FEED).with_sentence("exchanged", told_exchanged(evidence, &exchanged));
         let tests = exchanged.iter().map(|(i, _)| evidence[*i].name.clone()).collect();
-        return Err(RecordError::Exchanged { cause, tests });
+        return Err(PlausibilityError::Exchanged { cause, tests }.into());
     }
     let describe = |late: &Delay| {
         Sentence::from(phrases::LATE)
@@ -411,7 +411,7 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
             .with_sentence("names", list(fewer))
             .with_sentence("apart", phrases::APART)
             .with_any("also", also);
-        return RecordError::FeedsEnergy { cause, tests };
+        return RecordError::Implausible(PlausibilityError::FeedsEnergy { cause, tests });
     }
     // All tests feed energy, so force and motion have opposite signs. The gas force may reveal which of the two is
     // wrong.
@@ -427,7 +427,7 @@ fn energy_fed(evidence: &[Evidence], standstill: Option<(f64, f64)>, also: Optio
         .with("correlation", format_decimals(median(&mut powers.clone()), 2))
         .with_sentence("culprit", culprit)
         .with_any("also", also);
-    RecordError::FeedsEnergy { cause, tests }
+    RecordError::Implausible(PlausibilityError::FeedsEnergy { cause, tests })
 }
 
 fn direction(
@@ -667,7 +667,9 @@ mod tests {
     fn exchanged_channels_are_told_before_a_sign_or_a_delay_is_blamed() {
         for which in [[true, true, true], [true, false, false]] {
             let error = settled(exchanged_campaign(&which, 1.0), &Options::default()).unwrap_err();
-            let RecordError::Exchanged { tests, .. } = &error else { panic!("{error}") };
+            let RecordError::Implausible(PlausibilityError::Exchanged { tests, .. }) = &error else {
+                panic!("{error}")
+            };
             assert_eq!(tests.len(), which.iter().filter(|w| **w).count());
             let text = error.to_string();
             assert!(text.contains("look exchanged") && !text.contains("--delay") && !text.contains("--flip"), "{text}");
@@ -711,7 +713,7 @@ mod tests {
         let mut motions = campaign(1.0, 1.0, -150.0);
         motions[1].force.iter_mut().for_each(|f| *f = -*f);
         match settled(motions, &Options::default()).unwrap_err() {
-            RecordError::FeedsEnergy { cause, tests } => {
+            RecordError::Implausible(PlausibilityError::FeedsEnergy { cause, tests }) => {
                 assert_eq!(tests, ["test1"]);
                 let cause = cause.to_string();
                 assert!(cause.contains("'test1'") && cause.contains("1 of 3"), "{cause}");

@@ -2,7 +2,7 @@
 //! for dampers and rigs.
 
 use crate::data::record::Record;
-use crate::error::RecordError;
+use crate::error::{PlausibilityError, RecordError};
 use crate::messages::phrases;
 use crate::numbers::{median, range, sample_time};
 use crate::options::Options;
@@ -20,7 +20,9 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         return Ok(());
     };
     let insisted = |channel| options.units.contains_key(&channel);
-    let slip = |channel, written, likely, evidence| Err(RecordError::UnitSlip { channel, written, likely, evidence });
+    let slip = |channel, written, likely, evidence| {
+        Err(PlausibilityError::UnitSlip { channel, written, likely, evidence }.into())
+    };
     let largest = records.iter().map(largest_current).fold(0.0, f64::max);
     let (large, small): (Vec<f64>, Vec<f64>) = records.iter().map(largest_current).partition(|i| *i > MOST_CURRENT);
     let usual = small.iter().copied().fold(0.0, f64::max);
@@ -34,12 +36,13 @@ pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), Record
         && options.settings.name.is_none()
     {
         let other = records.iter().find(|record| largest_current(record) > MOST_CURRENT).unwrap_or(fastest);
-        return Err(RecordError::MixedCurrent {
+        return Err(PlausibilityError::MixedCurrent {
             record: other.source.clone(),
             test: other.name.clone(),
             current: largest_current(other),
             others: usual,
-        });
+        }
+        .into());
     }
     if largest > MOST_CURRENT && !insisted(Channel::Current) && options.settings.name.is_none() {
         let evidence = Sentence::from(phrases::TOO_MUCH_CURRENT).with("current", format_decimals(largest, 0));

@@ -1,7 +1,7 @@
 //! Finds channels clipped at the end of their measuring range: flat tops at an extreme value.
 
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, SampleError};
 use crate::messages::phrases;
 use crate::numbers::quantum;
 use crate::quantities::channel::Channel;
@@ -111,7 +111,7 @@ fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> boo
 /// tests go further. `reach` is the range of the motion over all tests of the campaign.
 ///
 /// # Errors
-/// [`RecordError::Clipped`] if too many force samples are clipped, or if the only motion channel is clipped.
+/// [`SampleError::Clipped`] if too many force samples are clipped, or if the only motion channel is clipped.
 pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, RecordError> {
     for (channel, other) in [(Channel::Velocity, Channel::Displacement), (Channel::Displacement, Channel::Velocity)] {
         let Some(mut tops) = samples.channel(channel).and_then(flat_tops) else {
@@ -144,14 +144,15 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
         let percent = 100.0 * tops.count as f64 / samples.len() as f64;
         let value = tops.value;
         if samples.channel(other).is_none() {
-            return Err(RecordError::Clipped {
+            return Err(SampleError::Clipped {
                 at: samples.at.clone(),
                 line: samples.lines[tops.first],
                 channel,
                 value,
                 percent,
                 advice: phrases::NO_OTHER_MOTION,
-            });
+            }
+            .into());
         }
         let line = samples.lines[tops.first];
         match channel {
@@ -175,14 +176,15 @@ pub(crate) fn deal(samples: &mut Samples, reach: &Reach) -> Result<Vec<bool>, Re
     let percent = 100.0 * tops.count as f64 / samples.len() as f64;
     let (line, value) = (samples.lines[tops.first], tops.value);
     if tops.count as f64 > FORCE_FRACTION * samples.len() as f64 {
-        return Err(RecordError::Clipped {
+        return Err(SampleError::Clipped {
             at: samples.at.clone(),
             line,
             channel: Channel::Force,
             value,
             percent,
             advice: phrases::LARGER_RANGE,
-        });
+        }
+        .into());
     }
     samples.note(
         "clipped",

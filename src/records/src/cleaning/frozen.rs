@@ -2,7 +2,7 @@
 
 use super::cycles::turning_points;
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, SampleError};
 use crate::messages::phrases;
 use crate::numbers::range;
 use crate::quantities::channel::Channel;
@@ -78,7 +78,7 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
             let steady_motion = channel == Channel::Velocity && run[0] != 0.0;
             let frozen = swings >= 2 || (!coarse && !steady_motion && moved > share * whole);
             if frozen {
-                return Err(RecordError::Frozen {
+                return Err(SampleError::Frozen {
                     at: samples.at.clone(),
                     channel,
                     first: samples.lines[start],
@@ -97,7 +97,8 @@ fn check(samples: &Samples, channel: Channel, other: &[f64]) -> Result<(), Recor
                         _ if samples.velocity.is_some() => phrases::READ_VELOCITY_ONLY,
                         _ => phrases::CUT_OR_MEASURE,
                     },
-                });
+                }
+                .into());
             }
         }
         start = end;

@@ -1,7 +1,7 @@
 //! Handles empty and not-a-number cells: drops the rows if they are few, otherwise rejects the record.
 
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, SampleError};
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
 use crate::tuning::missing::{FRACTION, RUN};
@@ -12,7 +12,7 @@ use dashpot_messages::Sentence;
 /// Interpolates missing values of side force and temperature, which are slow and often logged at a lower rate.
 ///
 /// # Errors
-/// [`RecordError::Missing`] if too many rows, or too many in succession, lack a value.
+/// [`SampleError::Missing`] if too many rows, or too many in succession, lack a value.
 pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     forget_empty_columns(samples);
     let rows = samples.len();
@@ -29,7 +29,7 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
                 .find(|&c| samples.channel(c).is_some_and(|values| values[first].is_nan()))
                 .unwrap_or(Channel::Force);
             let (at, line) = (samples.at.clone(), samples.lines[first]);
-            return Err(RecordError::Missing { at, line, channel, count, rows });
+            return Err(SampleError::Missing { at, line, channel, count, rows }.into());
         }
         let mut lines: Vec<String> =
             missing.iter().zip(&samples.lines).filter(|(m, _)| **m).take(5).map(|(_, l)| l.to_string()).collect();

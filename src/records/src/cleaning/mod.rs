@@ -25,7 +25,7 @@ use crate::data::measurement_error::MeasurementError;
 use crate::data::record::{Note, Record};
 use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, SampleError};
 use crate::messages::phrases;
 use crate::numbers::{range, sample_time};
 use crate::options::Options;
@@ -110,7 +110,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     let without_force =
         &without_force[partnered.start.min(without_force.len())..partnered.end.min(without_force.len())];
     if motion.time.len() < FEWEST {
-        return Err(RecordError::TooFew { at: motion.at, samples: motion.time.len(), needed: FEWEST });
+        return Err(SampleError::TooFew { at: motion.at, samples: motion.time.len(), needed: FEWEST }.into());
     }
     if without_force.contains(&true) {
         let drop = |values: &mut Vec<f64>| {
@@ -131,7 +131,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
 
 fn enough(samples: &Samples) -> Result<(), RecordError> {
     if samples.len() < FEWEST {
-        return Err(RecordError::TooFew { at: samples.at.clone(), samples: samples.len(), needed: FEWEST });
+        return Err(SampleError::TooFew { at: samples.at.clone(), samples: samples.len(), needed: FEWEST }.into());
     }
     Ok(())
 }
@@ -169,7 +169,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                     return Ok(differentiated(samples, displacement));
                 }
                 if let Some(cause) = consistency::contradiction(&agreement, &samples.units) {
-                    return Err(RecordError::Contradiction { at: samples.at.clone(), cause });
+                    return Err(SampleError::Contradiction { at: samples.at.clone(), cause }.into());
                 }
                 samples.note(
                     "consistency",
@@ -185,7 +185,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
         (None, Some(velocity)) => Ok(integrated(samples, velocity, options.initial_position)),
         // The table layout requires a motion channel, and cleaning drops at most one of two motion channels. This case
         // therefore does not occur.
-        (None, None) => Err(RecordError::NoData { at: samples.at.clone() }),
+        (None, None) => Err(SampleError::NoData { at: samples.at.clone() }.into()),
     }
 }
 
@@ -292,7 +292,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
         mut notes,
     } = motion;
     if time.len() < FEWEST {
-        return Err(RecordError::TooFew { at, samples: time.len(), needed: FEWEST });
+        return Err(SampleError::TooFew { at, samples: time.len(), needed: FEWEST }.into());
     }
     drift::report(&time, &displacement, &force, &cycles, &mut notes);
     let noise = noise::floor(&time, &force, &cycles);
@@ -500,7 +500,10 @@ mod tests {
     fn too_few_samples_are_refused() {
         let mut samples = SineTest::default().samples();
         samples.select(&(0..19).collect::<Vec<_>>());
-        assert!(matches!(clean(samples, &Options::default()), Err(RecordError::TooFew { samples: 19, .. })));
+        assert!(matches!(
+            clean(samples, &Options::default()),
+            Err(RecordError::Sample(SampleError::TooFew { samples: 19, .. }))
+        ));
     }
 
     proptest! {

@@ -1,7 +1,7 @@
 //! Handles time stamps that repeat or step back.
 
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, SampleError};
 use crate::messages::phrases;
 use crate::numbers::{range, sample_time};
 use crate::tuning::order::{REACH, STALE};
@@ -44,7 +44,7 @@ pub(crate) fn drop_stale(samples: &mut Samples) {
 /// of the rows (20 in short records) are out of order.
 pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
     if range(&samples.time) == 0.0 && samples.len() > 1 {
-        return Err(RecordError::ConstantTime { at: samples.at.clone(), time: samples.time[0] });
+        return Err(SampleError::ConstantTime { at: samples.at.clone(), time: samples.time[0] }.into());
     }
     let back: Vec<usize> = (1..samples.len()).filter(|&i| samples.time[i] < samples.time[i - 1]).collect();
     if let Some(&first) = back.first() {
@@ -53,12 +53,13 @@ pub(crate) fn restore(samples: &mut Samples) -> Result<(), RecordError> {
         let moved = order.iter().enumerate().filter(|(i, from)| i != *from).count();
         let reach = order.iter().enumerate().map(|(i, &from)| i.abs_diff(from)).max().unwrap_or(0);
         if reach > REACH || moved as f64 > (0.02 * samples.len() as f64).max(2.0 * REACH as f64) {
-            return Err(RecordError::TimeBackwards {
+            return Err(SampleError::TimeBackwards {
                 at: samples.at.clone(),
                 line: samples.lines[first],
                 from: samples.time[first - 1],
                 to: samples.time[first],
-            });
+            }
+            .into());
         }
         let line = samples.lines[first];
         samples.select(&order);
@@ -153,7 +154,7 @@ mod tests {
     fn constant_time_is_refused() {
         let mut samples = SineTest::default().samples();
         samples.time.fill(3.0);
-        assert!(matches!(restore(&mut samples), Err(RecordError::ConstantTime { time: 3.0, .. })));
+        assert!(matches!(restore(&mut samples), Err(RecordError::Sample(SampleError::ConstantTime { time: 3.0, .. }))));
     }
 
     #[test]

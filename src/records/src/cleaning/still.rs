@@ -1,7 +1,7 @@
 //! Rejects tests without motion or without a measured force, which give no information about a damper.
 
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, SampleError};
 use crate::numbers::range;
 use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
@@ -16,7 +16,7 @@ pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
     }
     let Some((channel, values)) = motion.into_iter().flatten().next() else { return Ok(()) };
     let unit = if channel == Channel::Displacement { "mm" } else { "mm/s" };
-    Err(RecordError::NoMotion { at: samples.at.clone(), channel, range: 1e3 * range(values), unit })
+    Err(SampleError::NoMotion { at: samples.at.clone(), channel, range: 1e3 * range(values), unit }.into())
 }
 
 /// Rejects a moving test whose force never changes, not even in the last digit.
@@ -24,7 +24,8 @@ pub(crate) fn refuse_constant_force(samples: &Samples) -> Result<(), RecordError
     if range(&samples.force) > 0.0 {
         return Ok(());
     }
-    Err(RecordError::ConstantForce { at: samples.at.clone(), value: samples.force.first().copied().unwrap_or(0.0) })
+    Err(SampleError::ConstantForce { at: samples.at.clone(), value: samples.force.first().copied().unwrap_or(0.0) }
+        .into())
 }
 
 /// Returns whether a channel contains only noise, or as few distinct values as a sensor at rest.

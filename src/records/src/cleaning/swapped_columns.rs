@@ -3,7 +3,7 @@
 use crate::data::complete_motion::Motion;
 use crate::data::cycle::Cycle;
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{PlausibilityError, RecordError};
 use crate::messages::phrases;
 use crate::numbers::{median, quantile, range};
 use crate::options::Options;
@@ -15,13 +15,15 @@ use dashpot_messages::{Sentence, format_decimals};
 /// heading.
 pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
     let insisted = |a: Channel, b: Channel| [a, b].iter().any(|c| options.units.contains_key(c));
-    let error = |a: Channel, b: Channel, evidence: Sentence| RecordError::Swapped {
-        at: samples.at.clone(),
-        first: samples.heading(a),
-        second: samples.heading(b),
-        of_first: a,
-        of_second: b,
-        evidence,
+    let error = |a: Channel, b: Channel, evidence: Sentence| {
+        RecordError::Implausible(PlausibilityError::Swapped {
+            at: samples.at.clone(),
+            first: samples.heading(a),
+            second: samples.heading(b),
+            of_first: a,
+            of_second: b,
+            evidence,
+        })
     };
     if samples.len() < 20 {
         return Ok(());

@@ -2,16 +2,14 @@
 
 use std::collections::HashMap;
 
-use super::heading::{
-    Heading, HeadingUnit, by_unit, heading, is_plain, is_setpoint, is_stopgap, nearest, nearest_to, unit_of_current,
-    vocabulary, without_unit, written_unit,
-};
+use super::heading::{Heading, by_unit, heading, vocabulary};
+use super::layout::{LISTED, Layout, MOST_COLUMNS, channel_of, names};
 use crate::data::record::{Note, UNREAD_CURRENT};
 use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{ColumnError, Place, RecordError, SampleError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -21,35 +19,6 @@ use dashpot_messages::Sentence;
 
 /// Number of lines at the top of a file that the search for the header covers.
 pub(crate) const HEADER_WITHIN: usize = 60;
-
-/// Largest number of columns of a table. A rig records tens of columns. The limit bounds the comparisons of headings
-/// with channels.
-pub(crate) const MOST_COLUMNS: usize = 4096;
-
-/// Assignment of columns to channels.
-#[derive(Debug, Clone)]
-pub(crate) struct Layout {
-    pub columns: Vec<Column>,
-    pub test: Option<usize>,
-    ignored: Vec<String>,
-    /// Columns assigned to a channel by their unit alone.
-    guessed: Vec<(Channel, String)>,
-    /// Columns in a unit of current of a table without a recognized setting: heading and unit.
-    unread_currents: Vec<(String, String)>,
-    /// Time between samples that the user gives for files without a time column, s.
-    step: Option<f64>,
-}
-
-/// One column that is read.
-#[derive(Debug, Clone)]
-pub(crate) struct Column {
-    pub channel: Channel,
-    pub index: usize,
-    pub unit: Unit,
-    pub heading: String,
-    /// Whether the column contains times of day.
-    pub clock: bool,
-}
 
 /// Returns whether a line of cells can be a header.
 ///
@@ -73,11 +42,6 @@ pub(crate) fn is_header<S: AsRef<str>>(cells: &[S], options: &Options) -> bool {
     known >= 2 || (known + spoken_for >= 2 && timed() && !figures())
 }
 
-/// Returns names for the columns of a table without a header.
-pub(crate) fn numbered(columns: usize) -> Vec<String> {
-    (1..=columns).map(|n| format!("column {n}")).collect()
-}
-
 /// Returns whether a line of cells below the header is a row of units: no number, and at least one unit.
 pub(crate) fn is_units_row<S: AsRef<str>>(cells: &[S]) -> bool {
     let mut units = 0;
@@ -92,51 +56,6 @@ pub(crate) fn is_units_row<S: AsRef<str>>(cells: &[S]) -> bool {
         units += usize::from(text.parse::<Unit>().is_ok());
     }
     units > 0
-}
-
-fn same(wanted: &str, text: &str) -> bool {
-    wanted.trim().eq_ignore_ascii_case(text.trim())
-}
-
-/// Returns whether a name given by the user matches this heading, exactly or without its unit.
-fn names(wanted: &str, text: &str) -> bool {
-    same(wanted, text) || {
-        let (wanted, text) = (without_unit(wanted), without_unit(text));
-        !wanted.is_empty() && wanted == text
-    }
-}
-
-/// Returns the channel of a heading, as named by the user or as recognized.
-pub(crate) fn channel_of(text: &str, options: &Options) -> Option<Channel> {
-    let named = options.columns.iter().find(|(_, wanted)| names(wanted, text)).map(|(channel, _)| *channel);
-    named.or_else(|| match heading(text.trim()) {
-        Heading::Channel(channel, _) => Some(channel),
-        _ => None,
-    })
-}
-
-/// Returns the column number if the user states a number instead of a heading. Columns count from 1.
-pub(crate) fn column_number(wanted: &str) -> Option<usize> {
-    wanted.trim().parse::<usize>().ok().filter(|n| *n > 0)
-}
-
-/// Returns the columns that match the user's name: the whole heading, else the heading without its unit, else the
-/// number. Of several equal headings, the first counts. Several returned columns mean that the name is ambiguous.
-fn wanted_column(wanted: &str, header: &[&str]) -> Vec<usize> {
-    let at = |found: &dyn Fn(&str) -> bool| -> Vec<usize> { (0..header.len()).filter(|i| found(header[*i])).collect() };
-    let exact = at(&|h| same(wanted, h));
-    if let Some(first) = exact.first() {
-        return vec![*first];
-    }
-    let by_name = at(&|h| names(wanted, h));
-    if !by_name.is_empty() {
-        return by_name;
-    }
-    column_number(wanted).filter(|n| *n <= header.len()).map(|n| n - 1).into_iter().collect()
-}
-
-fn maybe(near: Option<&str>) -> Option<Sentence> {
-    near.map(|near| Sentence::from(phrases::MEANT).with("near", near))
 }
 
 /// Reads a number. `decimal_comma` also allows a decimal comma. Empty and not-a-number cells give NaN. Other texts give
@@ -216,282 +135,12 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
         }
         _ => None,
     };
-    RecordError::Header { at: at.clone(), found: shortened(first_line), near, understood: vocabulary() }
-}
-
-/// Largest number of columns that a message lists.
-const LISTED: usize = 40;
-
-impl Layout {
-    /// Assigns the columns of a header to channels.
-    ///
-    /// `line` is the line of the header in the file, for messages. A column beyond the end of `units` has no unit.
-    /// `sample_time_given` is true if the source states its own sample time and requires no time column.
-    pub fn new<S: AsRef<str>>(
-        at: &Place,
-        line: usize,
-        header: &[S],
-        units: Option<&[S]>,
-        options: &Options,
-        sample_time_given: bool,
-    ) -> Result<Layout, RecordError> {
-        Layout::with_clock(at, line, header, units, options, sample_time_given, &|_| false)
-    }
-
-    /// Assigns the columns of a header to channels. `is_clock` returns whether a column contains times of day, which
-    /// require no unit.
-    pub fn with_clock<S: AsRef<str>>(
-        at: &Place,
-        line: usize,
-        header: &[S],
-        units: Option<&[S]>,
-        options: &Options,
-        sample_time_given: bool,
-        is_clock: &dyn Fn(usize) -> bool,
-    ) -> Result<Layout, RecordError> {
-        if header.len() > MOST_COLUMNS {
-            return Err(RecordError::TooManyColumns { at: at.clone(), line, found: header.len(), most: MOST_COLUMNS });
-        }
-        let header: Vec<&str> = header.iter().map(|cell| cell.as_ref().trim().trim_start_matches('\u{feff}')).collect();
-        let found = || {
-            let listed = header.iter().take(LISTED).map(|h| format!("'{h}'")).collect::<Vec<_>>().join(", ");
-            let more = header.len().saturating_sub(LISTED);
-            if more > 0 { format!("{listed} and {more} more") } else { listed }
-        };
-        let headings: Vec<Heading> = header.iter().map(|h| heading(h)).collect();
-        let below =
-            |i: usize| units.and_then(|u| u.get(i)).map(|u| u.as_ref().trim().trim_matches(|c| "[]()".contains(c)));
-        let headed = header.iter().zip(numbered(header.len())).any(|(own, number)| *own != number);
-        let mut columns: Vec<Column> = Vec::new();
-        let mut guessed = Vec::new();
-        let mut without_unit = Vec::new();
-        for channel in Channel::ALL {
-            if options.ignore.contains(&channel) {
-                continue;
-            }
-            let index = if let Some(wanted) = options.columns.get(&channel) {
-                match wanted_column(wanted, &header)[..] {
-                    [index] => Some(index),
-                    // If the name of a test states a constant setting, the table has no setting column. The missing
-                    // column is therefore no error here.
-                    [] if channel == Channel::Setting => None,
-                    [] => {
-                        return Err(RecordError::NoSuchColumn {
-                            at: at.clone(),
-                            line,
-                            channel,
-                            wanted: wanted.clone(),
-                            found: found(),
-                            near: maybe(nearest(wanted, header.iter().copied())),
-                        });
-                    }
-                    ref several => return Err(several_columns(at, line, channel, &header, several)),
-                }
-            } else {
-                let taken = |i: usize| {
-                    options
-                        .columns
-                        .iter()
-                        .any(|(other, wanted)| *other != channel && wanted_column(wanted, &header).contains(&i))
-                };
-                let mut candidates: Vec<usize> = headings
-                    .iter()
-                    .enumerate()
-                    .filter(|(i, h)| matches!(h, Heading::Channel(c, _) if *c == channel) && !taken(*i))
-                    .map(|(i, _)| i)
-                    .collect();
-                let speaks = |i: &usize| by_unit(header[*i], below(*i)) == Some(channel) && !taken(*i);
-                let by_their_unit: Vec<usize> = (0..header.len()).filter(speaks).collect();
-                let mut possible = candidates.clone();
-                possible.extend(&by_their_unit);
-                possible.sort_unstable();
-                // A heading that contains only the quantity has precedence over a heading that also contains the
-                // sensor. Of a pair such as `Force (V)` and `Force (kN)`, use the column with a unit of the quantity.
-                prefer(&mut candidates, |i| !is_setpoint(header[i]));
-                prefer(&mut candidates, |i| is_plain(header[i]) && !is_stopgap(header[i]));
-                prefer(&mut candidates, |i| is_plain(header[i]));
-                prefer(&mut candidates, |i| {
-                    matches!(&headings[i], Heading::Channel(_, HeadingUnit::Known(u)) if u.dimension() == channel.dimension())
-                        || units.is_some_and(|u| {
-                            u.get(i)
-                                .and_then(|u| u.as_ref().parse::<Unit>().ok())
-                                .is_some_and(|u| u.dimension() == channel.dimension())
-                        })
-                });
-                // If no heading names the channel, use the only column with a unit of the channel. For a displacement,
-                // this requires that no column is a velocity.
-                let wanted = match channel {
-                    Channel::Displacement => {
-                        !options.columns.contains_key(&Channel::Velocity)
-                            && !headings.iter().any(|h| matches!(h, Heading::Channel(Channel::Velocity, _)))
-                    }
-                    _ => channel == Channel::Force,
-                };
-                if candidates.is_empty() && wanted {
-                    candidates = by_their_unit;
-                    if let [index] = candidates[..] {
-                        guessed.push((channel, header[index].to_string()));
-                    }
-                }
-                // A current may belong to any device, so only a column with a unit of current counts.
-                let is_known = |i: &usize| {
-                    let unit = unit_of(
-                        at,
-                        line,
-                        channel,
-                        header[*i],
-                        &headings[*i],
-                        units.map(|u| u.get(*i..).unwrap_or_default().iter()),
-                        options,
-                    );
-                    matches!(unit, Ok(Some(_)))
-                };
-                if channel == Channel::Current && !(candidates.len() == 1 && candidates.iter().all(is_known)) {
-                    continue;
-                }
-                // Several columns of clicks occur in a table of peaks or for two adjusters, so none of them is used.
-                if channel == Channel::Setting && candidates.len() > 1 {
-                    continue;
-                }
-                if candidates.len() > 1 {
-                    return Err(several_columns(at, line, channel, &header, &possible));
-                }
-                candidates.first().copied()
-            };
-            let Some(index) = index else { continue };
-            let clock = channel == Channel::Time && is_clock(index);
-            let unit = if clock {
-                Unit::Second
-            } else {
-                let below = units.map(|u| u.get(index..).unwrap_or_default().iter());
-                match unit_of(at, line, channel, header[index], &headings[index], below, options)? {
-                    Some(unit) => unit,
-                    None => {
-                        without_unit.push((channel, header[index].to_string()));
-                        channel.example()
-                    }
-                }
-            };
-            // The name and unit of a setting follow from its heading, so a unit below the heading is added to it.
-            let heading = match below(index).filter(|unit| !unit.is_empty()) {
-                Some(unit)
-                    if matches!(channel, Channel::Current | Channel::Setting)
-                        && written_unit(header[index]).is_none() =>
-                {
-                    format!("{} [{unit}]", header[index])
-                }
-                _ => header[index].to_string(),
-            };
-            columns.push(Column { channel, index, unit, heading, clock });
-        }
-        let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
-        let missing = if !has(Channel::Time) && !sample_time_given && options.sample_rate_hz.is_none() {
-            Some(("time", Channel::Time))
-        } else if !has(Channel::Force) && !options.ignore.contains(&Channel::Force) {
-            Some(("force", Channel::Force))
-        } else if !has(Channel::Displacement) && !has(Channel::Velocity) {
-            Some(("displacement or velocity", Channel::Displacement))
-        } else {
-            None
-        };
-        if let Some((missing, example)) = missing {
-            let free: Vec<&str> =
-                (0..header.len()).filter(|i| columns.iter().all(|c| c.index != *i)).map(|i| header[i]).collect();
-            let near = maybe(nearest_to(example, &free));
-            let units = without_unit.iter().map(|(channel, _)| *channel).collect();
-            return Err(RecordError::MissingColumn {
-                at: at.clone(),
-                line,
-                missing,
-                example,
-                found: found(),
-                near,
-                units,
-            });
-        }
-        if !without_unit.is_empty() {
-            return Err(RecordError::MissingUnit { at: at.clone(), line, columns: without_unit, headed });
-        }
-        let test = headings.iter().position(|h| *h == Heading::Test);
-        let ignored = (0..header.len())
-            .filter(|i| !header[*i].is_empty() && Some(*i) != test && columns.iter().all(|c| c.index != *i))
-            .filter(|i| !matches!(headings[*i], Heading::SampleTime(_) | Heading::SampleRate))
-            .map(|i| header[i].to_string())
-            .take(100)
-            .collect();
-        let has = |channel| columns.iter().any(|c: &Column| c.channel == channel);
-        let is_read = has(Channel::Current) || has(Channel::Setting) || options.ignore.contains(&Channel::Current);
-        let unread_currents = (0..if is_read { 0 } else { header.len() })
-            .filter_map(|i| Some((header[i].to_owned(), unit_of_current(header[i], below(i))?.to_owned())))
-            .take(LISTED)
-            .collect();
-        Ok(Layout {
-            columns,
-            test,
-            ignored,
-            guessed,
-            unread_currents,
-            step: options.sample_rate_hz.map(|rate| 1.0 / rate),
-        })
-    }
-}
-
-/// Makes the error that asks the user to select one of several columns.
-fn several_columns(at: &Place, line: usize, channel: Channel, header: &[&str], several: &[usize]) -> RecordError {
-    let headings = several.iter().take(LISTED).map(|i| header[*i].to_string()).collect();
-    RecordError::SeveralColumns { at: at.clone(), line, channel, headings }
-}
-
-/// Retains only the candidates for which `better` is true, if there are several candidates and some are better.
-fn prefer(candidates: &mut Vec<usize>, better: impl Fn(usize) -> bool) {
-    if candidates.len() > 1 && candidates.iter().any(|i| better(*i)) {
-        candidates.retain(|i| better(*i));
-    }
-}
-
-/// Returns the unit of a column, or `None` if no source states it. An unknown unit, or one of another quantity, is an
-/// error.
-fn unit_of<'a, S: AsRef<str> + 'a>(
-    at: &Place,
-    line: usize,
-    channel: Channel,
-    column: &str,
-    heading: &Heading,
-    mut units: Option<impl Iterator<Item = &'a S>>,
-    options: &Options,
-) -> Result<Option<Unit>, RecordError> {
-    let unknown = |unit: &str| RecordError::UnknownUnit {
+    RecordError::Column(ColumnError::Header {
         at: at.clone(),
-        line,
-        column: column.to_string(),
-        unit: unit.to_string(),
-        channel,
-    };
-    if channel == Channel::Setting {
-        return Ok(Some(Unit::AsWritten));
-    }
-    if let Some(&unit) = options.units.get(&channel) {
-        return if unit.dimension() == channel.dimension() { Ok(Some(unit)) } else { Err(unknown(unit.name())) };
-    }
-    match heading {
-        Heading::Channel(_, HeadingUnit::Known(unit)) if unit.dimension() == channel.dimension() => {
-            return Ok(Some(*unit));
-        }
-        Heading::Channel(_, HeadingUnit::Known(unit)) => return Err(unknown(unit.name())),
-        Heading::Channel(_, HeadingUnit::Unknown(text)) => return Err(unknown(text)),
-        _ => {}
-    }
-    // The heading of a column that the user selected may contain its unit: `Load Cell 1 [kN]`.
-    let written = column.rsplit_once(['[', '(']).map(|(_, unit)| unit);
-    let below = units.as_mut().and_then(|u| u.next()).map(|u| u.as_ref().trim()).filter(|u| !u.is_empty());
-    let parsed = |text: &str| text.parse::<Unit>().ok().filter(|unit| unit.dimension() == channel.dimension());
-    if let Some(unit) = written.and_then(parsed).or_else(|| below.and_then(parsed)) {
-        return Ok(Some(unit));
-    }
-    if let Some(text) = below.or(written) {
-        return Err(unknown(text.trim_matches(|c| "[]()".contains(c))));
-    }
-    Ok(None)
+        found: shortened(first_line),
+        near,
+        understood: vocabulary(),
+    })
 }
 
 /// Rows collected under one layout.
@@ -595,7 +244,7 @@ impl Rows {
     /// else 1 s. No rows are an error.
     pub fn finish(mut self, sample_time: Option<f64>) -> Result<Vec<Samples>, RecordError> {
         if self.lines.is_empty() {
-            return Err(RecordError::NoData { at: self.at });
+            return Err(SampleError::NoData { at: self.at }.into());
         }
         let mut notes = std::mem::take(&mut self.notes);
         if !self.layout.ignored.is_empty() {

@@ -4,12 +4,13 @@
 //! restarts is another test.
 
 use crate::columns::delimiter::split;
-use crate::columns::table::{Layout, Rows, is_header, no_header, number};
+use crate::columns::layout::Layout;
+use crate::columns::table::{Rows, is_header, no_header, number};
 use crate::data::samples::Samples;
 use crate::dates::clock;
 use crate::dates::date_order::DateOrder;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{Place, RecordError, RecordFileError, SampleError};
 use crate::options::Options;
 use crate::quantities::unit::Unit;
 use crate::source::{Budget, Exhausted};
@@ -81,11 +82,11 @@ pub(crate) fn parse(
     options: &Options,
     budget: &Budget,
 ) -> Result<Vec<Samples>, RecordError> {
-    let wrong = |cause: String| RecordError::Binary { file: at.file.clone(), kind: KIND, cause };
+    let wrong = |cause: String| RecordError::File(RecordFileError::Binary { file: at.file.clone(), kind: KIND, cause });
     let separator = if text.lines().take(40).any(|l| l.starts_with("Separator,")) { b',' } else { b'\t' };
     let packets = packets(text, separator);
     let Some(first) = packets.first() else {
-        return Err(RecordError::NoData { at: at.clone() });
+        return Err(SampleError::NoData { at: at.clone() }.into());
     };
     packets.iter().try_for_each(|packet| packet.charge(budget)).map_err(|exhausted| exhausted.into_error(at))?;
     let header = header(first, options, separator);
@@ -98,7 +99,7 @@ pub(crate) fn parse(
     let mut layout = Layout::new(at, first.line, &header, Some(&units), options, step.is_some() && !has_x)?;
     if !has_x && layout.columns.iter().all(|c| c.channel != crate::Channel::Time) {
         // The time from the packet headers becomes the last column.
-        layout.columns.push(crate::columns::table::Column {
+        layout.columns.push(crate::columns::layout::Column {
             channel: crate::Channel::Time,
             index: usize::MAX,
             unit: Unit::Second,
@@ -129,12 +130,14 @@ pub(crate) fn parse(
                     continue;
                 }
                 let cell = cells.get(column.index).map_or("", String::as_str);
-                values.push(number(cell, separator != b',').ok_or_else(|| RecordError::Cell {
-                    at: at.clone(),
-                    line: *line,
-                    column: column.heading.clone(),
-                    text: cell.trim().chars().take(40).collect(),
-                    hint: None,
+                values.push(number(cell, separator != b',').ok_or_else(|| {
+                    RecordError::Sample(SampleError::Cell {
+                        at: at.clone(),
+                        line: *line,
+                        column: column.heading.clone(),
+                        text: cell.trim().chars().take(40).collect(),
+                        hint: None,
+                    })
                 })?);
             }
             same_clock(packet, &cells, has_x, separator).map_err(|()| {

@@ -5,9 +5,10 @@
 
 use std::collections::HashMap;
 
-use crate::columns::table::{Layout, MOST_COLUMNS, Rows, is_header, no_header};
+use crate::columns::layout::{Layout, MOST_COLUMNS};
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, RecordFileError};
 use crate::options::Options;
 use crate::source::Source;
 
@@ -19,7 +20,7 @@ const KEY: usize = 32;
 /// Reads the test of one file.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let (at, bytes) = (source.place(), &source.bytes);
-    let wrong = |cause: String| RecordError::Rpc { file: source.file.clone(), cause };
+    let wrong = |cause: String| RecordError::File(RecordFileError::Rpc { file: source.file.clone(), cause });
     let header = Header::read(bytes).map_err(wrong)?;
     let names: Vec<&str> =
         (1..=header.channels).map(|n| header.text(&format!("DESC.CHAN_{n}")).unwrap_or("")).collect();

@@ -4,13 +4,14 @@ mod archive;
 
 use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx};
 
+use crate::columns::layout::{Column, Layout};
 use crate::columns::non_data_lines::NonDataLines;
-use crate::columns::table::{Column, HEADER_WITHIN, Layout, Rows, is_header, is_units_row, no_header_near, number};
+use crate::columns::table::{HEADER_WITHIN, Rows, is_header, is_units_row, no_header_near, number};
 use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{Place, RecordError, RecordFileError, SampleError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel;
@@ -27,7 +28,7 @@ const COLUMNS: u32 = 1000;
 /// Reads the tests of all sheets of a workbook, cell by cell, so that announced sizes and remote cells use no memory.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, budget, .. } = &source;
-    let broken = |cause: String| RecordError::Workbook { file: file.clone(), cause };
+    let broken = |cause: String| RecordError::File(RecordFileError::Workbook { file: file.clone(), cause });
     let mut workbook = open(&source).map_err(broken)?;
     let sheets = workbook.sheet_names();
     let mut tests = Vec::new();
@@ -76,7 +77,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
 pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<String>)>, RecordError> {
     /// Largest number of rows of a short table.
     const ROWS: usize = 10_000;
-    let broken = |cause: String| RecordError::Workbook { file: source.file.clone(), cause };
+    let broken = |cause: String| RecordError::File(RecordFileError::Workbook { file: source.file.clone(), cause });
     let mut workbook = open(source).map_err(broken)?;
     for sheet in workbook.sheet_names() {
         let Ok(mut cells) = workbook.worksheet_cells_reader(&sheet) else { continue };
@@ -105,7 +106,7 @@ pub(crate) fn cells_of_workbook(source: &Source) -> Result<Vec<(usize, Vec<Strin
             return Ok(rows);
         }
     }
-    Err(RecordError::NoData { at: source.place() })
+    Err(SampleError::NoData { at: source.place() }.into())
 }
 
 /// Opens a workbook. Rejects one whose parts do not fit into memory.
@@ -167,62 +168,69 @@ impl<'a> Sheet<'a> {
             return Ok(());
         }
         self.budget.work(PLACE * row.len() as u64).map_err(|e| e.into_error(&self.at))?;
-        let text = || row.iter().map(ToString::to_string).collect::<Vec<String>>();
-        let Some((header_index, header)) = &self.header else {
-            if self.above.len() < HEADER_WITHIN {
-                self.above.push(row.iter().map(with_its_date).collect::<Vec<_>>().join(" "));
-                self.about.of_row(row.iter().map(with_its_date));
-                let cells = text();
-                if cells.iter().any(|c| !c.is_empty()) {
-                    self.lines.push((index as usize + 1, cells.clone()));
-                }
-                if is_header(&cells, self.options) {
-                    self.header = Some((index, cells));
-                }
-            }
+        if self.header.is_none() {
+            self.inspect_for_header(index, row);
             return Ok(());
-        };
-        if self.rows.is_none() {
-            if self.units.is_none() {
-                let mut cells = text();
-                if is_units_row(&cells) {
-                    cells.resize(header.len().max(cells.len()), String::new());
-                    self.units = Some(cells);
-                    return Ok(());
-                }
-            }
-            let line = *header_index as usize + 1;
-            if !row.iter().any(|cell| !is_empty(cell) && is_figure(Some(cell))) {
-                if row.iter().all(is_empty) {
-                    return Ok(());
-                }
-                let fault = RecordError::NoData { at: self.at.clone() };
-                return self.beside.take(false, index as usize + 1, &text(), false, fault);
-            }
-            let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
-            let units = self.units.as_deref();
-            let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
-            let mut rows = Rows::new(self.at.clone(), self.name.clone(), layout, self.budget);
-            let above = || self.above.iter().map(String::as_str);
-            let began = clock::begins(above());
-            rows.begins = began.map(|began| began.at);
-            rows.dates = Dates::of_lines(above(), began.and_then(|began| began.date));
-            rows.about = self.about.clone();
-            self.rows = Some(rows);
         }
+        if self.rows.is_none() && !self.begin_rows(index, row)? {
+            return Ok(());
+        }
+        self.add_row(index as usize + 1, row)
+    }
+
+    /// Stores a row above the table, and the header once it is found.
+    fn inspect_for_header(&mut self, index: u32, row: &[Data]) {
+        if self.above.len() < HEADER_WITHIN {
+            self.above.push(row.iter().map(with_its_date).collect::<Vec<_>>().join(" "));
+            self.about.of_row(row.iter().map(with_its_date));
+            let cells = texts(row);
+            if cells.iter().any(|c| !c.is_empty()) {
+                self.lines.push((index as usize + 1, cells.clone()));
+            }
+            if is_header(&cells, self.options) {
+                self.header = Some((index, cells));
+            }
+        }
+    }
+
+    /// Assigns the columns if a row below the header is the first row of the table, and returns whether it is.
+    fn begin_rows(&mut self, index: u32, row: &[Data]) -> Result<bool, RecordError> {
+        let Some((header_index, header)) = &self.header else { return Ok(false) };
+        if self.units.is_none() {
+            let mut cells = texts(row);
+            if is_units_row(&cells) {
+                cells.resize(header.len().max(cells.len()), String::new());
+                self.units = Some(cells);
+                return Ok(false);
+            }
+        }
+        if !row.iter().any(|cell| !is_empty(cell) && is_figure(Some(cell))) {
+            if !row.iter().all(is_empty) {
+                let fault = SampleError::NoData { at: self.at.clone() }.into();
+                self.beside.take(false, index as usize + 1, &texts(row), false, fault)?;
+            }
+            return Ok(false);
+        }
+        let (line, units) = (*header_index as usize + 1, self.units.as_deref());
+        let is_clock = |column: usize| row.get(column).is_some_and(|cell| clock_of(cell).is_some());
+        let layout = Layout::with_clock(&self.at, line, header, units, self.options, false, &is_clock)?;
+        let mut rows = Rows::new(self.at.clone(), self.name.clone(), layout, self.budget);
+        let above = || self.above.iter().map(String::as_str);
+        let began = clock::begins(above());
+        rows.begins = began.map(|began| began.at);
+        rows.dates = Dates::of_lines(above(), began.and_then(|began| began.date));
+        rows.about = self.about.clone();
+        self.rows = Some(rows);
+        Ok(true)
+    }
+
+    /// Adds a row below the header, which may be no row of the table. `line` counts from 1.
+    fn add_row(&mut self, line: usize, row: &[Data]) -> Result<(), RecordError> {
         let Some(rows) = &mut self.rows else { return Ok(()) };
-        let line = index as usize + 1;
         let columns = &rows.layout().columns;
         if !columns.iter().any(|c| row.get(c.index).is_some_and(|cell| !is_empty(cell))) {
             return Ok(());
         }
-        let no_number = |column: &Column, cell: &Data| RecordError::Cell {
-            at: self.at.clone(),
-            line,
-            column: column.heading.clone(),
-            text: cell.to_string().chars().take(40).collect(),
-            hint: Some(phrases::FORMAT_AS_NUMBERS),
-        };
         let text_in = |c: &&Column| !is_figure(row.get(c.index));
         let time = columns.iter().find(|c| c.channel == Channel::Time);
         let figures = columns
@@ -238,32 +246,13 @@ impl<'a> Sheet<'a> {
         if let Some(column) = column
             && let Some(cell) = row.get(column.index)
         {
-            let fault = no_number(column, cell);
-            return self.beside.take(!rows.is_empty(), line, &text(), figures, fault);
+            let fault = no_number(&self.at, line, column, cell);
+            return self.beside.take(!rows.is_empty(), line, &texts(row), figures, fault);
         }
         self.beside.row()?;
-        let clocks: Vec<usize> = columns.iter().filter(|c| c.clock).map(|c| c.index).collect();
-        for cell in clocks.iter().filter_map(|index| row.get(*index)) {
-            // A column of dates has precedence over the lines above the table.
-            if rows.is_empty() {
-                rows.dates = Dates::default();
-            }
-            if let (Data::DateTimeIso(text) | Data::String(text), true) =
-                (cell, rows.is_empty() || rows.dates.is_open())
-            {
-                rows.dates.see(text);
-            }
-        }
-        let mut values = Vec::with_capacity(rows.layout().columns.len());
-        for column in &rows.layout().columns {
-            values.push(match row.get(column.index) {
-                Some(cell) if column.clock && clock_of(cell).is_some() => clock_of(cell).unwrap_or(f64::NAN),
-                Some(Data::Float(v)) if v.is_finite() => *v,
-                Some(Data::Int(v)) => *v as f64,
-                None | Some(Data::Empty | Data::Float(_) | Data::Error(_)) => f64::NAN,
-                Some(other) => number(&other.to_string(), true).ok_or_else(|| no_number(column, other))?,
-            });
-        }
+        note_dates(rows, row);
+        let values: Vec<f64> =
+            rows.layout().columns.iter().map(|column| value(&self.at, line, column, row)).collect::<Result<_, _>>()?;
         let test = rows.layout().test.map(|i| row.get(i).map(ToString::to_string).unwrap_or_default());
         rows.push(line, values.into_iter(), test.as_deref())
     }
@@ -278,11 +267,51 @@ impl<'a> Sheet<'a> {
             (None, Some((line, header))) => {
                 // Check the header even if there are no rows below it.
                 Layout::new(&self.at, *line as usize + 1, header, self.units.as_deref(), self.options, false)?;
-                Err(RecordError::NoData { at: self.at })
+                Err(SampleError::NoData { at: self.at }.into())
             }
             (None, None) => Ok(Vec::new()),
         }
     }
+}
+
+fn texts(row: &[Data]) -> Vec<String> {
+    row.iter().map(ToString::to_string).collect()
+}
+
+fn no_number(at: &Place, line: usize, column: &Column, cell: &Data) -> RecordError {
+    let error = SampleError::Cell {
+        at: at.clone(),
+        line,
+        column: column.heading.clone(),
+        text: cell.to_string().chars().take(40).collect(),
+        hint: Some(phrases::FORMAT_AS_NUMBERS),
+    };
+    error.into()
+}
+
+/// Adds the times of day in a row to the evidence for the order of day and month.
+fn note_dates(rows: &mut Rows, row: &[Data]) {
+    let clocks: Vec<usize> = rows.layout().columns.iter().filter(|c| c.clock).map(|c| c.index).collect();
+    for cell in clocks.iter().filter_map(|index| row.get(*index)) {
+        // A column of dates has precedence over the lines above the table.
+        if rows.is_empty() {
+            rows.dates = Dates::default();
+        }
+        if let (Data::DateTimeIso(text) | Data::String(text), true) = (cell, rows.is_empty() || rows.dates.is_open()) {
+            rows.dates.see(text);
+        }
+    }
+}
+
+/// Returns the value of a column in a row, in the file's unit.
+fn value(at: &Place, line: usize, column: &Column, row: &[Data]) -> Result<f64, RecordError> {
+    Ok(match row.get(column.index) {
+        Some(cell) if column.clock && clock_of(cell).is_some() => clock_of(cell).unwrap_or(f64::NAN),
+        Some(Data::Float(v)) if v.is_finite() => *v,
+        Some(Data::Int(v)) => *v as f64,
+        None | Some(Data::Empty | Data::Float(_) | Data::Error(_)) => f64::NAN,
+        Some(other) => number(&other.to_string(), true).ok_or_else(|| no_number(at, line, column, other))?,
+    })
 }
 
 fn is_empty(cell: &Data) -> bool {

@@ -9,7 +9,7 @@ use super::clicks::{TableRows, clicks, only};
 use super::columns::{self, PeakOptions, PeakPair, Stroke, Taken};
 use crate::columns::heading::{Heading, heading};
 use crate::columns::table::{HEADER_WITHIN, is_units_row, number};
-use crate::error::{Place, RecordError};
+use crate::error::{Place, RecordError, RecordFileError};
 use crate::file_extensions::extension;
 use crate::formats::csv::cells_of_text;
 use crate::formats::unsupported;
@@ -115,7 +115,7 @@ fn cells(file: &Path) -> Result<TableRows, RecordError> {
         return cells_of_workbook(&source);
     }
     match unsupported::known(&source.bytes) {
-        Some((is, instead)) => Err(RecordError::NotRead { file: file.into(), is, instead }),
+        Some((is, instead)) => Err(RecordFileError::NotRead { file: file.into(), is, instead }.into()),
         None => cells_of_text(&source),
     }
 }
@@ -125,58 +125,92 @@ fn cells(file: &Path) -> Result<TableRows, RecordError> {
 /// # Errors
 /// [`RecordError`] with file, line and remedy.
 pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordError> {
-    let rows = cells(file)?;
-    let at = Place::file(file);
-    let wrong = |line: usize, cause: String| RecordError::PeakTable { at: at.clone(), line, cause };
-    let clicks = clicks(&rows);
-    let known = || clicks.iter().copied().map(format_number).collect::<Vec<_>>().join(", ");
-    let rows = match options.clicks {
-        Some(wanted) if clicks.contains(&wanted) => only(rows, wanted),
-        Some(_) if clicks.is_empty() => return Err(wrong(1, "it has no column that names clicks".into())),
-        Some(wanted) => {
-            return Err(wrong(
-                1,
-                format!("it has no curve of {} clicks; there are those of {}", format_number(wanted), known()),
-            ));
-        }
-        None if clicks.len() > 1 => {
-            let cause = format!(
+    let table = Table { file, rows: cells(file)? }.select_curve(options.clicks)?;
+    let found = columns::find(&table.rows, options);
+    table.reject_record(found.as_ref().map_or(HEADER_WITHIN, |found| found.header.map_or(0, |k| k + 1)))?;
+    let found = found.map_err(|(row, cause)| table.error(table.line(row), cause))?;
+    let turn = if options.positive == Some(Positive::Compression) { -1.0 } else { 1.0 };
+    let mut points = Vec::new();
+    for pair in &found.pairs {
+        let mut of_pair = table.read_points(pair, found.data)?;
+        orient(&mut of_pair, pair.stroke, turn);
+        points.append(&mut of_pair);
+    }
+    points.retain(|p| p.velocity_m_s != 0.0);
+    points.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
+    table.reject_equal_velocities(&points)?;
+    table.require_both_strokes(&points, table.line(found.header.unwrap_or(0)))?;
+    let source = match options.positive {
+        _ if found.pairs.iter().all(|pair| pair.stroke.is_some()) => StrokeSource::Headings,
+        Some(positive) => StrokeSource::Stated(positive),
+        None => StrokeSource::Assumed,
+    };
+    Ok(Peaks { points, source, pairs: found.pairs })
+}
+
+/// Rows of a table of peaks and their file, which messages name.
+struct Table<'a> {
+    file: &'a Path,
+    rows: TableRows,
+}
+
+impl Table<'_> {
+    fn error(&self, line: usize, cause: String) -> RecordError {
+        RecordFileError::PeakTable { at: Place::file(self.file), line, cause }.into()
+    }
+
+    /// Returns the line of a row in the file.
+    fn line(&self, row: usize) -> usize {
+        self.rows.get(row).map_or(1, |row| row.0)
+    }
+
+    /// Retains the curve of the clicks that the user selects. A table of one curve needs no selection.
+    fn select_curve(self, wanted: Option<f64>) -> Result<Self, RecordError> {
+        let clicks = clicks(&self.rows);
+        let known = || clicks.iter().copied().map(format_number).collect::<Vec<_>>().join(", ");
+        let cause = match (wanted, &clicks[..]) {
+            (Some(wanted), known) if known.contains(&wanted) => {
+                return Ok(Table { rows: only(self.rows, wanted), ..self });
+            }
+            (None, []) => return Ok(self),
+            (None, [only_one]) => return Ok(Table { rows: only(self.rows, *only_one), ..self }),
+            (Some(_), []) => "it has no column that names clicks".into(),
+            (Some(wanted), _) => {
+                format!("it has no curve of {} clicks; there are those of {}", format_number(wanted), known())
+            }
+            (None, [first, ..]) => format!(
                 "it has a curve for each of {} clicks; --clicks {} takes one of them, --clicks all makes a model of each",
                 known(),
-                format_number(clicks[0])
-            );
-            return Err(wrong(1, cause));
-        }
-        None => match clicks[..] {
-            [only_one] => only(rows, only_one),
-            _ => rows,
-        },
-    };
-    let found = columns::find(&rows, options);
-    // A record has a time in addition to its channels. Each sample of a record would count as a peak.
-    let above = found.as_ref().map_or(HEADER_WITHIN, |found| found.header.map_or(0, |k| k + 1));
-    let timed = rows.iter().take(above).find_map(|(line, cells)| {
-        let is_time = |cell: &&String| matches!(heading(cell), Heading::Channel(Channel::Time, _));
-        let is_other =
-            |cell: &String| matches!(heading(cell), Heading::Channel(channel, _) if channel != Channel::Time);
-        cells.iter().any(is_other).then(|| cells.iter().find(is_time)).flatten().map(|time| (*line, time.trim()))
-    });
-    if let Some((line, time)) = timed {
+                format_number(*first)
+            ),
+        };
+        Err(self.error(1, cause))
+    }
+
+    /// Returns an error if one of the first rows is the heading of a record. A record has a time in addition to its
+    /// channels, and each of its samples would count as a peak.
+    fn reject_record(&self, rows: usize) -> Result<(), RecordError> {
+        let timed = self.rows.iter().take(rows).find_map(|(line, cells)| {
+            let is_time = |cell: &&String| matches!(heading(cell), Heading::Channel(Channel::Time, _));
+            let is_other =
+                |cell: &String| matches!(heading(cell), Heading::Channel(channel, _) if channel != Channel::Time);
+            cells.iter().any(is_other).then(|| cells.iter().find(is_time)).flatten().map(|time| (*line, time.trim()))
+        });
+        let Some((line, time)) = timed else { return Ok(()) };
         let cause = format!(
             "the column '{time}' makes this a record over time, and no table of peaks; dashpot fit reads records. If every row is \
              a peak, take that column out"
         );
-        return Err(wrong(line, cause));
+        Err(self.error(line, cause))
     }
-    let found = found.map_err(|(row, cause)| wrong(rows.get(row).map_or(1, |row| row.0), cause))?;
-    let turn = if options.positive == Some(Positive::Compression) { -1.0 } else { 1.0 };
-    let mut points = Vec::new();
-    for pair in &found.pairs {
-        let mut of_pair = Vec::new();
-        for (line, cells) in &rows[found.data..] {
+
+    /// Reads the points of two columns with the signs of the file. `data` is the index of the first row of the data.
+    fn read_points(&self, pair: &PeakPair, data: usize) -> Result<Vec<PeakPoint>, RecordError> {
+        let mut points = Vec::new();
+        for (line, cells) in &self.rows[data..] {
             let value = |column: &Taken| -> Result<f64, RecordError> {
                 let text = cells.get(column.index).map_or("", |c| c.trim());
-                let value = number(text, true).ok_or_else(|| wrong(*line, format!("{text:?} is no number")))?;
+                let value = number(text, true).ok_or_else(|| self.error(*line, format!("{text:?} is no number")))?;
                 Ok(column.unit.to_si(value))
             };
             // A row of units below a repeated heading is not a point, and neither is a row without a velocity or a
@@ -191,60 +225,63 @@ pub fn read_peaks(file: &Path, options: &PeakOptions) -> Result<Peaks, RecordErr
                     let cause = format!(
                         "{number} {unit} is beyond any damper, {largest} {unit}; check the column and its unit (--unit)"
                     );
-                    return Err(wrong(*line, cause));
+                    return Err(self.error(*line, cause));
                 }
             }
             if velocity.is_finite() && force.is_finite() {
-                of_pair.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
+                points.push(PeakPoint { velocity_m_s: velocity, force_n: force, line: *line });
             }
         }
-        // The sign of the force at the highest velocity shows the sign convention of the column. A force with the other
-        // sign acts in the direction of the motion, for example the gas force at low speeds.
-        let strongest = of_pair.iter().max_by(|a, b| a.velocity_m_s.abs().total_cmp(&b.velocity_m_s.abs()));
-        let counts = strongest.map_or(1.0, |p| if p.force_n < 0.0 { -1.0 } else { 1.0 });
-        for point in &mut of_pair {
-            let (velocity, force) = (point.velocity_m_s, point.force_n);
-            (point.velocity_m_s, point.force_n) = match pair.stroke {
-                Some(stroke) => (stroke.sign() * velocity.abs(), stroke.sign() * counts * force),
-                // If velocities have no sign, the sign of the force determines the stroke.
-                None if velocity > 0.0 && force < 0.0 => (-turn * velocity, turn * force),
-                None => (turn * velocity, turn * force),
-            };
-        }
-        points.append(&mut of_pair);
+        Ok(points)
     }
-    points.retain(|p| p.velocity_m_s != 0.0);
-    points.sort_by(|a, b| a.velocity_m_s.total_cmp(&b.velocity_m_s));
-    for pair in points.windows(2) {
-        let [a, b] = pair else { continue };
-        if a.velocity_m_s == b.velocity_m_s {
-            let (first, second) = (a.line.min(b.line), a.line.max(b.line));
-            return Err(wrong(
-                second,
-                format!("line {first} has the same velocity, {} m/s", format_number(b.velocity_m_s)),
-            ));
+
+    /// Returns an error if two of the sorted points have the same velocity.
+    fn reject_equal_velocities(&self, points: &[PeakPoint]) -> Result<(), RecordError> {
+        for pair in points.windows(2) {
+            let [a, b] = pair else { continue };
+            if a.velocity_m_s == b.velocity_m_s {
+                let (first, second) = (a.line.min(b.line), a.line.max(b.line));
+                let cause = format!("line {first} has the same velocity, {} m/s", format_number(b.velocity_m_s));
+                return Err(self.error(second, cause));
+            }
         }
+        Ok(())
     }
-    for (is_there, stroke) in [
-        (points.iter().any(|p| p.velocity_m_s > 0.0), Stroke::Rebound),
-        (points.iter().any(|p| p.velocity_m_s < 0.0), Stroke::Compression),
-    ] {
-        if !is_there {
-            let line = rows.get(found.header.unwrap_or(0)).map_or(1, |row| row.0);
-            let cause = format!(
-                "holds no point in {stroke}; write rebound and compression with opposite signs, or in a column each, which --column \
-                 {stroke}_force names",
-                stroke = stroke.name()
-            );
-            return Err(wrong(line, cause));
+
+    /// Returns an error at the line of the heading if a stroke has no point.
+    fn require_both_strokes(&self, points: &[PeakPoint], heading_line: usize) -> Result<(), RecordError> {
+        for (is_there, stroke) in [
+            (points.iter().any(|p| p.velocity_m_s > 0.0), Stroke::Rebound),
+            (points.iter().any(|p| p.velocity_m_s < 0.0), Stroke::Compression),
+        ] {
+            if !is_there {
+                let cause = format!(
+                    "holds no point in {stroke}; write rebound and compression with opposite signs, or in a column each, which --column \
+                     {stroke}_force names",
+                    stroke = stroke.name()
+                );
+                return Err(self.error(heading_line, cause));
+            }
         }
+        Ok(())
     }
-    let told = match options.positive {
-        _ if found.pairs.iter().all(|pair| pair.stroke.is_some()) => StrokeSource::Headings,
-        Some(positive) => StrokeSource::Stated(positive),
-        None => StrokeSource::Assumed,
-    };
-    Ok(Peaks { points, source: told, pairs: found.pairs })
+}
+
+/// Makes rebound and tension positive. `turn` is -1 if compression is positive in the file.
+fn orient(points: &mut [PeakPoint], stroke: Option<Stroke>, turn: f64) {
+    // The sign of the force at the highest velocity shows the sign convention of the column. A force with the other
+    // sign acts in the direction of the motion, for example the gas force at low speeds.
+    let strongest = points.iter().max_by(|a, b| a.velocity_m_s.abs().total_cmp(&b.velocity_m_s.abs()));
+    let counts = strongest.map_or(1.0, |p| if p.force_n < 0.0 { -1.0 } else { 1.0 });
+    for point in points {
+        let (velocity, force) = (point.velocity_m_s, point.force_n);
+        (point.velocity_m_s, point.force_n) = match stroke {
+            Some(stroke) => (stroke.sign() * velocity.abs(), stroke.sign() * counts * force),
+            // If velocities have no sign, the sign of the force determines the stroke.
+            None if velocity > 0.0 && force < 0.0 => (-turn * velocity, turn * force),
+            None => (turn * velocity, turn * force),
+        };
+    }
 }
 
 #[cfg(test)]

@@ -95,36 +95,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if args.carmaker.is_some() && args.models.len() > 1 {
         bail!("--carmaker takes one model: CarMaker has one FMU for each kind of damper");
     }
-    let (mut notes, mut remarks) = (Vec::new(), Vec::new());
-    let mut models: Vec<Definition> = Vec::new();
-    // Curve for CarMaker's computation of equilibrium. It stays `None` for a model without an FV curve.
-    let mut curve = None;
-    for path in &args.models {
-        let file = model::read_family(path)?;
-        if args.carmaker.is_some() && file.axis.is_some() {
-            notes.push(format!(
-                "note: {}: the .pluginfo file links the setting to CarMaker's CtrlIn, one to one, in the unit of the model file; at rest CtrlIn is 0",
-                path.display()
-            ));
-        }
-        if args.carmaker.is_some() && !args.hide_parameters {
-            curve = PlainCurve::from_model_file(&file, args.model_curve).with_context(|| path.display().to_string())?;
-        }
-        model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
-        let dampers = args.host.ready_at_settings(&file.definition()).with_context(|| path.display().to_string())?;
-        for (setting, ready) in &dampers {
-            let at = setting.map_or_else(String::new, |value| format!("{}: ", model::setting_at(&file.axis, value)));
-            let told: Vec<String> = ready.notes().into_iter().map(|note| format!("{at}{note}")).collect();
-            notes.extend(told.iter().map(|note| format!("note: {}: {note}", path.display())));
-            remarks.extend(told);
-            remarks.extend(stiffness::remarks(&ready.params).into_iter().map(|remark| format!("{at}{remark}")));
-        }
-        models.push(match dampers.as_slice() {
-            [(None, ready)] => Definition { params: ready.params, axis: file.axis },
-            _ => file.definition(),
-        });
-    }
-    let has_setting = models.iter().any(|model| model.axis.is_some());
+    let Dampers { models, curve, mut notes, remarks } = Dampers::read(args)?;
     let corners = fmu::corners(&models, args.four)?;
     let scales = match args.carmaker {
         Some(length) => Scales::carmaker(length)?,
@@ -140,16 +111,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let version = if args.fmi == "2" { Version::Two } else { Version::Three };
     let more: Vec<Binary> = args.binary.iter().map(|text| binary(text)).collect::<anyhow::Result<_>>()?;
-    // A command without an embedded runtime compiles one on this computer, if possible.
-    let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
-    let compiles = args.from_source || !holds_one && library(None).is_ok();
-    if compiles && !args.from_source {
-        dashpot_output::warn(&format!(
-            "note: this command holds no compiled FMU runtime, so it is compiled here for this platform alone; {}",
-            runtimes::HOW
-        ));
-    }
-    let library = if compiles { Some(library(args.library.as_deref())?) } else { None };
+    let library = library_to_compile(args)?;
     let name = exports::fmu_name(&args.models[0], corners.len() > 1);
     let made = fmu::fmu(
         &corners,
@@ -172,6 +134,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         let named = args.models[0].file_name().unwrap_or_default().to_string_lossy();
         let written =
             format!("{}{} from {named}. It belongs to {name}.fmu.", dashpot_output::WRITTEN, env!("CARGO_PKG_VERSION"));
+        let has_setting = models.iter().any(|model| model.axis.is_some());
         Ok((path, fmu::plug_info((&name, &made.guid), has_setting, curve.as_ref(), &written)?))
     });
     let plug_info = plug_info.transpose()?;
@@ -183,18 +146,87 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let platforms = made.platforms.join(", ");
     dashpot_output::say(None, &format!("{}: FMI {}.0, {corners}, for {platforms}", args.output.display(), args.fmi))?;
     if let Some((path, _)) = &plug_info {
-        dashpot_output::say(
-            None,
-            &format!("{}: how CarMaker takes it; both go to its Plugins folder", path.display()),
-        )?;
-        if let Some(curve) = &curve {
-            dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.note()))?;
-            if let Some(left_out) = fmu::not_in_the_equilibrium(curve) {
-                dashpot_output::say(None, &format!("  {left_out}"))?;
-            }
-        }
+        print_carmaker(path, curve.as_ref())?;
     }
     notes.iter().try_for_each(|note| dashpot_output::say(None, note))
+}
+
+/// Dampers of the FMU, as the model files define them.
+#[derive(Default)]
+struct Dampers {
+    models: Vec<Definition>,
+    /// Curve for CarMaker's computation of equilibrium. It stays `None` for a model without an FV curve.
+    curve: Option<PlainCurve>,
+    /// Notes for the user.
+    notes: Vec<String>,
+    /// Remarks that the FMU contains.
+    remarks: Vec<String>,
+}
+
+impl Dampers {
+    fn read(args: &Args) -> anyhow::Result<Dampers> {
+        let mut dampers = Dampers::default();
+        args.models.iter().try_for_each(|path| dampers.add(args, path))?;
+        Ok(dampers)
+    }
+
+    /// Adds the damper of a model file.
+    fn add(&mut self, args: &Args, path: &Path) -> anyhow::Result<()> {
+        let file = model::read_family(path)?;
+        if args.carmaker.is_some() && file.axis.is_some() {
+            self.notes.push(format!(
+                "note: {}: the .pluginfo file links the setting to CarMaker's CtrlIn, one to one, in the unit of the model file; at rest CtrlIn is 0",
+                path.display()
+            ));
+        }
+        if args.carmaker.is_some() && !args.hide_parameters {
+            self.curve =
+                PlainCurve::from_model_file(&file, args.model_curve).with_context(|| path.display().to_string())?;
+        }
+        model_file::prepared(&file.params).with_context(|| path.display().to_string())?;
+        let dampers = args.host.ready_at_settings(&file.definition()).with_context(|| path.display().to_string())?;
+        for (setting, ready) in &dampers {
+            let at = setting.map_or_else(String::new, |value| format!("{}: ", model::setting_at(&file.axis, value)));
+            let told: Vec<String> = ready.notes().into_iter().map(|note| format!("{at}{note}")).collect();
+            self.notes.extend(told.iter().map(|note| format!("note: {}: {note}", path.display())));
+            self.remarks.extend(told);
+            self.remarks.extend(stiffness::remarks(&ready.params).into_iter().map(|remark| format!("{at}{remark}")));
+        }
+        self.models.push(match dampers.as_slice() {
+            [(None, ready)] => Definition { params: ready.params, axis: file.axis },
+            _ => file.definition(),
+        });
+        Ok(())
+    }
+}
+
+/// Returns the static library from which the binary of this platform is compiled, or `None` if the embedded runtimes
+/// serve. A command without an embedded runtime compiles one on this computer, if possible.
+fn library_to_compile(args: &Args) -> anyhow::Result<Option<PathBuf>> {
+    let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
+    let compiles = args.from_source || !holds_one && library(None).is_ok();
+    if compiles && !args.from_source {
+        dashpot_output::warn(&format!(
+            "note: this command holds no compiled FMU runtime, so it is compiled here for this platform alone; {}",
+            runtimes::HOW
+        ));
+    }
+    compiles.then(|| library(args.library.as_deref())).transpose()
+}
+
+/// Prints how CarMaker uses the FMU, with the curve of its computation of equilibrium.
+fn print_carmaker(plug_info: &Path, curve: Option<&PlainCurve>) -> anyhow::Result<()> {
+    dashpot_output::say(
+        None,
+        &format!("{}: how CarMaker takes it; both go to its Plugins folder", plug_info.display()),
+    )?;
+    if let Some(curve) = curve {
+        dashpot_output::say(None, &format!("  for its equilibrium: {}", curve.note()))?;
+        if let Some(left_out) = fmu::not_in_the_equilibrium(curve) {
+            dashpot_output::say(None, &format!("  {left_out}"))?;
+        }
+    }
+    Ok(())
 }
 
 /// Reads a binary for another platform, from PLATFORM=FILE.

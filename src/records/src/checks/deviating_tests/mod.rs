@@ -33,7 +33,7 @@ use self::unit::{WrongUnit, find_wrong_unit};
 use super::force_levels::{Levels, levels, velocity};
 use super::plausibility::shows_noise_alone;
 use crate::data::record::{Note, Record};
-use crate::error::{FilesUnit, RecordError, name_several};
+use crate::error::{FilesUnit, PlausibilityError, RecordError, name_several};
 use crate::messages::phrases;
 use crate::numbers::sample_time;
 use crate::options::Options;
@@ -204,7 +204,7 @@ fn refuse_units(
     let most = |test: &Seen<'_>| test.levels.values().map(|l| l.against).fold(0.0, f64::max);
     let Some(shown) = tests.iter().max_by(|a, b| most(a).total_cmp(&most(b))) else { return Ok(()) };
     let Some((level, other)) = reference.closest_levels(shown) else { return Ok(()) };
-    Err(RecordError::FilesUnit(Box::new(FilesUnit {
+    Err(PlausibilityError::FilesUnit(Box::new(FilesUnit {
         has_setting: shown.record.setting.is_some(),
         tests: tests.iter().map(|t| t.record.source.clone()).collect(),
         others: reference.tests.iter().map(|t| t.record.source.clone()).collect(),
@@ -215,7 +215,8 @@ fn refuse_units(
         channel,
         written,
         likely,
-    })))
+    }))
+    .into())
 }
 
 /// Returns a note about tests that likely have the label of another setting. `found` holds them by the indices of the

@@ -3,7 +3,8 @@
 use super::lines::{is_comment, is_figure, uncommented};
 use crate::columns::delimiter::{self, split};
 use crate::columns::heading::{Heading, heading};
-use crate::columns::table::{HEADER_WITHIN, column_number, is_header, is_units_row, number, numbered};
+use crate::columns::layout::{column_number, numbered};
+use crate::columns::table::{HEADER_WITHIN, is_header, is_units_row, number};
 use crate::dates::clock;
 use crate::options::Options;
 

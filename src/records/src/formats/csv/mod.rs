@@ -16,9 +16,10 @@ use self::rows::table;
 use super::lvm;
 use crate::columns::delimiter::{self, split};
 use crate::columns::heading::nearest;
-use crate::columns::table::{HEADER_WITHIN, MOST_COLUMNS, no_header_near};
+use crate::columns::layout::MOST_COLUMNS;
+use crate::columns::table::{HEADER_WITHIN, no_header_near};
 use crate::data::samples::Samples;
-use crate::error::{Place, RecordError};
+use crate::error::{ColumnError, Place, RecordError, SampleError};
 use crate::options::Options;
 use crate::source::{Budget, Source};
 
@@ -28,7 +29,13 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let Source { bytes, budget, .. } = source;
     let (text, guessed) = decode(&bytes);
     let read = parse(&at, name, &text, options, &budget);
-    if guessed && matches!(read, Err(RecordError::Header { .. } | RecordError::MissingColumn { .. })) {
+    if guessed
+        && matches!(
+            read,
+            Err(RecordError::Column(ColumnError::Header { .. })
+                | RecordError::Column(ColumnError::MissingColumn { .. }))
+        )
+    {
         // Chinese systems write GB 18030 instead of Latin-1. Only the headings show the difference, so this encoding is
         // tried if they are unknown.
         let (text, _, wrong) = encoding_rs::GB18030.decode(&bytes);
@@ -70,13 +77,13 @@ fn parse(at: &Place, name: &str, text: &str, options: &Options, budget: &Budget)
         let columns = |delimiter: &u8| line.bytes().filter(|b| b == delimiter).count() + 1;
         let found = delimiter::ALL.iter().map(columns).max().unwrap_or(1);
         if found > MOST_COLUMNS {
-            return Err(RecordError::TooManyColumns { at: at.clone(), line: k + 1, found, most: MOST_COLUMNS });
+            return Err(ColumnError::TooManyColumns { at: at.clone(), line: k + 1, found, most: MOST_COLUMNS }.into());
         }
         return Err(no_header_near::<&str>(at, line, &[]));
     }
     let (found, first_line) = start(text, options);
     let Some(first_line) = first_line else {
-        return Err(RecordError::NoData { at: at.clone() });
+        return Err(SampleError::NoData { at: at.clone() }.into());
     };
     if let Some(found) = found {
         return table(at, name, text, found, options, budget);

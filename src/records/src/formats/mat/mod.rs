@@ -8,9 +8,10 @@ use std::io::Read as _;
 use matfile::{Array, MatFile, NumericData};
 
 use crate::columns::heading::{Heading, HeadingUnit, heading};
-use crate::columns::table::{Layout, Rows, is_header, no_header};
+use crate::columns::layout::Layout;
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
-use crate::error::RecordError;
+use crate::error::{RecordError, RecordFileError};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::{Dimension, Unit};
@@ -35,7 +36,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     let Source { file, bytes, budget } = source;
     let is_hdf5 = bytes.starts_with(HDF5) || bytes.get(512..520) == Some(HDF5) || bytes.starts_with(b"MATLAB 7.3");
     let variables = if is_hdf5 { version73::variables(&bytes, &budget) } else { variables(bytes, &budget) };
-    let variables = variables.map_err(|cause| RecordError::Mat { file: file.clone(), cause })?;
+    let variables = variables.map_err(|cause| RecordError::File(RecordFileError::Mat { file: file.clone(), cause }))?;
     let vectors: Vec<(&str, &[f64])> =
         variables.iter().filter(|v| v.is_vector).map(|v| (v.name.as_str(), v.values.as_slice())).collect();
     let scalars: Vec<(&str, f64)> =
@@ -49,7 +50,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     if !is_header(&header, options) {
         if variables.is_empty() {
             let cause = "it holds no vector of numbers; of a struct or a timeseries save the fields as variables, with save(..., '-struct', 's')";
-            return Err(RecordError::Mat { file: file.clone(), cause: cause.into() });
+            return Err(RecordFileError::Mat { file: file.clone(), cause: cause.into() }.into());
         }
         let all: Vec<&str> = variables.iter().map(|v| v.name.as_str()).collect();
         return Err(no_header(&at, &all));
@@ -61,10 +62,11 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
     for column in &layout.columns {
         let found = vectors[column.index].1.len();
         if found != length {
-            return Err(RecordError::Mat {
+            return Err(RecordFileError::Mat {
                 file: file.clone(),
                 cause: format!("'{}' has {found} values where another channel has {length}", column.heading),
-            });
+            }
+            .into());
         }
     }
     let sample_time = match sample_time {
@@ -79,7 +81,7 @@ pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<
             let step = unit.to_si(value);
             if !(step.is_finite() && step > 0.0) {
                 let cause = format!("the sample time '{name}' is {value}, which is no time step");
-                return Err(RecordError::Mat { file: file.clone(), cause });
+                return Err(RecordFileError::Mat { file: file.clone(), cause }.into());
             }
             Some(step)
         }

@@ -21,9 +21,10 @@ mod version3;
 use std::borrow::Cow;
 use std::collections::HashMap;
 
-use crate::columns::table::{Layout, Rows, channel_of, is_header, no_header};
+use crate::columns::layout::{Layout, channel_of};
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
-use crate::error::{Place, RecordError};
+use crate::error::{Place, RecordError, RecordFileError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::quantities::channel::Channel as Kind;
@@ -51,7 +52,7 @@ pub(crate) fn is_one(bytes: &[u8]) -> bool {
 /// Reads the tests of one MDF file.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, bytes, budget } = &source;
-    let wrong = |cause: String| RecordError::Binary { file: file.clone(), kind: KIND, cause };
+    let wrong = |cause: String| RecordError::File(RecordFileError::Binary { file: file.clone(), kind: KIND, cause });
     let found = if version3::is_one(bytes) {
         version3::groups(bytes, budget)
     } else {

@@ -8,10 +8,11 @@ mod value;
 
 use std::collections::HashMap;
 
-use crate::columns::table::{Layout, Rows, is_header, no_header};
+use crate::columns::layout::Layout;
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
 use crate::dates::file_dates::Dates;
-use crate::error::{Place, RecordError};
+use crate::error::{Place, RecordError, RecordFileError};
 use crate::messages::phrases;
 use crate::options::Options;
 use crate::source::Source;
@@ -24,7 +25,7 @@ const KIND: &str = "a TDMS file";
 /// Reads the tests of one TDMS file.
 pub(crate) fn read(source: Source, name: &str, options: &Options) -> Result<Vec<Samples>, RecordError> {
     let Source { file, bytes, budget } = &source;
-    let wrong = |cause: String| RecordError::Binary { file: file.clone(), kind: KIND, cause };
+    let wrong = |cause: String| RecordError::File(RecordFileError::Binary { file: file.clone(), kind: KIND, cause });
     let (channels, cut) = channels(bytes, budget).map_err(wrong)?;
     let mut groups: Vec<(&str, Vec<&Channel>)> = Vec::new();
     let mut by_name: HashMap<&str, usize> = HashMap::new();
