@@ -779,178 +779,178 @@ int32_t dashpot_parameter_info(uint32_t row, dashpot_parameter *info);
 // Names for dashpot_params_set(), dashpot_params_set_list() and model files.
 //
 // fv_curve (element, on by default): primary damper: the force-velocity (FV) curve
-//   fv_form                      FV curve from the table or from slopes and knees [0 table, 1 piecewise]
-//   fv_interpolation             how the FV table runs between its points [0 monotone_cubic, 1 linear, 2 cubic_each_side]
+//   fv_form                      source of the FV curve: table, or damping coefficients and knee velocities [0 table, 1 piecewise]
+//   fv_interpolation             interpolation between the points of the FV table [0 monotone_cubic, 1 linear, 2 cubic_each_side]
 //   fv_velocity                  velocities of the FV table, rebound positive, increasing [m/s, -20 to 20, at most 63 numbers]
 //   fv_force                     forces of the FV table, tension positive, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
-//   fv_rebound_c1                Cr1: rebound slope below the first knee [N s/m, 0 to 1e8, default 6000]
-//   fv_rebound_c2                Cr2: rebound slope between the knees [N s/m, 0 to 1e8, default 2500]
-//   fv_rebound_c3                Cr3: rebound slope above the second knee [N s/m, 0 to 1e8, default 1600]
-//   fv_rebound_v1                first rebound knee [m/s, 1e-4 to 10, default 0.13]
-//   fv_rebound_v2                second rebound knee [m/s, 1e-4 to 10, default 0.4]
-//   fv_compression_c1            Cc1: compression slope below the knee [N s/m, 0 to 1e8, default 3500]
-//   fv_compression_c2            Cc2: compression slope above the knee [N s/m, 0 to 1e8, default 950]
-//   fv_compression_v1            compression knee, as a speed [m/s, 1e-4 to 10, default 0.13]
+//   fv_rebound_c1                Cr1: rebound damping coefficient below the first knee [N s/m, 0 to 1e8, default 6000]
+//   fv_rebound_c2                Cr2: rebound damping coefficient between the knees [N s/m, 0 to 1e8, default 2500]
+//   fv_rebound_c3                Cr3: rebound damping coefficient above the second knee [N s/m, 0 to 1e8, default 1600]
+//   fv_rebound_v1                velocity of the first rebound knee [m/s, 1e-4 to 10, default 0.13]
+//   fv_rebound_v2                velocity of the second rebound knee [m/s, 1e-4 to 10, default 0.4]
+//   fv_compression_c1            Cc1: compression damping coefficient below the knee [N s/m, 0 to 1e8, default 3500]
+//   fv_compression_c2            Cc2: compression damping coefficient above the knee [N s/m, 0 to 1e8, default 950]
+//   fv_compression_v1            speed at the compression knee, positive [m/s, 1e-4 to 10, default 0.13]
 //
-// series_compliance (element, on by default): series spring and damper with the internal mass (compressibility of gas, oil and mount)
+// series_compliance (element, on by default): series spring and damper with the internal mass: compliance of gas, oil and mounts
 //   series_stiffness             stiffness of the series spring, k_s [N/m, 10 to 1e10, default 3e6]
-//   series_damping               damping beside the series spring, c_s [N s/m, 0 to 1e7, default 200]
-//   internal_mass                moving mass of rod, oil and gas, m [kg, 5e-6 to 2000, default 0.5]
-//   series_load                  what the series spring carries: the hydraulic force and the springs on the mass, or friction and gas force too, as an eye or a mount does [0 hydraulic, 1 whole]
+//   series_damping               damping coefficient parallel to the series spring, c_s [N s/m, 0 to 1e7, default 200]
+//   internal_mass                internal moving mass of rod, oil and gas, m [kg, 5e-6 to 2000, default 0.5]
+//   series_load                  forces that the series spring carries: hydraulic and parallel spring force, or friction and gas force as well (eye or mount) [0 hydraulic, 1 whole]
 //
 // free_play (element, off by default): free play in an eye or mount; needs series_compliance
-//   free_play_gap                free travel from contact to contact, 2 g [m, 0 to 0.005, default 2e-4]
-//   free_play_force              force at which the gap is half closed, F_0: softness of the contact [N, 1e-4 to 1e6, default 20]
-//   free_play_load               force in the middle of the gap, F_1: weight on the eye, gas force that it carries, clamping [N, -1e6 to 1e6, default 0]
+//   free_play_gap                total free play from contact to contact, 2 g [m, 0 to 0.005, default 2e-4]
+//   free_play_force              softness of the contact: force, beyond F_1, that closes half of the gap, F_0 [N, 1e-4 to 1e6, default 20]
+//   free_play_load               load at the middle of the gap, F_1: weight on the eye, gas force, clamping [N, -1e6 to 1e6, default 0]
 //
-// bushing (element, off by default): rubber in line with the damper: the series spring hardens and loses energy; needs series_compliance
-//   bushing_hardening            deflection at which the series spring has doubled its force, d_h [m, 2e-4 to 1, default 0.002]
-//   bushing_loss_stiffness       share of the series stiffness that fast or small motion adds, k_1/k_s [-, 0 to 30, default 0.3]
-//   bushing_loss_time            time in which that share gives way, tau [s, 1e-4 to 1000, default 0.01]
-//   bushing_slip                 deflection in which that share gives way by friction, d_f; large: by time alone [m, 1e-6 to 1000, default 1000]
-//   bushing_stop                 deflection at which the rubber meets a stop, to either side, L [m, 1e-5 to 1, default 0.001]
-//   bushing_stop_stiffness       share of the series stiffness that the stop adds, k_e/k_s; 0: no stop [-, 0 to 100, default 0]
-//   bushing_slow_stiffness       share of the series stiffness that gives way slowly, k_2/k_s [-, 0 to 30, default 0]
-//   bushing_slow_time            time in which that share gives way, tau_2 [s, 0.001 to 1000, default 0.1]
+// bushing (element, off by default): rubber bushing in series with the damper: stiffening spring with hysteresis; needs series_compliance
+//   bushing_hardening            deflection at which stiffening doubles the force of the series spring, d_h [m, 2e-4 to 1, default 0.002]
+//   bushing_loss_stiffness       stiffness of the fast relaxing (Maxwell) branch over the series stiffness, k_1/k_s [-, 0 to 30, default 0.3]
+//   bushing_loss_time            relaxation time of the fast branch, tau [s, 1e-4 to 1000, default 0.01]
+//   bushing_slip                 deflection over which filler friction relaxes the fast branch, d_f; large: relaxation in time only [m, 1e-6 to 1000, default 1000]
+//   bushing_stop                 deflection at which the rubber meets a stop, in either direction, L [m, 1e-5 to 1, default 0.001]
+//   bushing_stop_stiffness       stiffness that the stop adds, over the series stiffness, k_e/k_s; 0: no stop [-, 0 to 100, default 0]
+//   bushing_slow_stiffness       stiffness of the slowly relaxing (Maxwell) branch over the series stiffness, k_2/k_s; 0: no such branch [-, 0 to 30, default 0]
+//   bushing_slow_time            relaxation time of the slow branch, tau_2 [s, 0.001 to 1000, default 0.1]
 //
-// oil_compressibility (element, off by default): compressibility of the oil column (with the expansion of the cylinder) before the valves
+// oil_compressibility (element, off by default): compressibility of the oil column upstream of the valves, expansion of the cylinder included
 //   oil_stiffness                stiffness of the oil column at x = 0, cylinder expansion included, k_o [N/m, 20 to 1e11, default 3e6]
-//   oil_shortening               one over the length of the column at x = 0, lambda; 0: the same stiffness at every place [1/m, -50 to 50, default 0]
-//   oil_chambers                 whose column yields: that of the rebound chamber, or that of the chamber under pressure [0 rebound, 1 both]
-//   oil_compression              stiffness of the column in compression, as a share of that in rebound, r_o [-, 0.01 to 100, default 1]
+//   oil_shortening               reciprocal of the oil column length at x = 0, lambda; 0: stiffness independent of the position [1/m, -50 to 50, default 0]
+//   oil_chambers                 chamber whose oil column is compressible: always the rebound chamber, or the chamber under pressure [0 rebound, 1 both]
+//   oil_compression              ratio of the oil column stiffness in compression to that in rebound, r_o [-, 0.01 to 100, default 1]
 //
-// aeration (element, off by default): air in the oil: the oil column is soft while the force is small
-//   aeration_stroke              stroke that the air takes up in rebound, d_a [m, 0 to 0.005, default 3e-4]
-//   aeration_force               force at which half of that stroke is taken, F_a [N, 0.001 to 1e6, default 150]
-//   aeration_compression         stroke that the air takes up in compression, as a share of that in rebound, r_a [-, 0 to 20, default 1]
+// aeration (element, off by default): free air in the oil: low stiffness of the oil column at small forces
+//   aeration_stroke              stroke that the compression of the air absorbs in rebound, d_a [m, 0 to 0.005, default 3e-4]
+//   aeration_force               force at which the air has absorbed half of its stroke, F_a [N, 0.001 to 1e6, default 150]
+//   aeration_compression         ratio of the stroke that the air absorbs in compression to that in rebound, r_a [-, 0 to 20, default 1]
 //
-// cavitation (element, off by default): cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed
-//   cavitation_force             largest hydraulic force of that stroke, C [N, 0.01 to 1e8, default 1500]
-//   cavitation_side              stroke whose force is capped [0 compression, 1 rebound]
-//   cavitation_return            share of the cap that stays on the return while the void closes: 1 gas pushes on, 0 dead stroke [-, 0 to 1, default 0]
-//   cavitation_form              void by the limited force of that stroke, or by a foot valve that does not refill the chamber behind it [0 cap, 1 foot_valve]
-//   cavitation_velocity          foot valve: speed of that stroke beyond which the chamber is not refilled, v_f [m/s, 0 to 10, default 0.3]
-//   cavitation_unfilled          foot valve: share of the flow beyond that speed that is missing, a [-, 1e-4 to 1, default 0.05]
-//   cavitation_onset             cap: share of it at which the void opens, alpha; 1: at the cap itself [-, 0 to 1, default 1]
-//   cavitation_expansion         cap: void over which half of the rest is gained as its gas expands, e_1 [m, 1e-5 to 0.1, default 5e-4]
+// cavitation (element, off by default): cavitation: one stroke opens a void, which the return stroke must close
+//   cavitation_force             largest hydraulic force on the cavitating stroke, C [N, 0.01 to 1e8, default 1500]
+//   cavitation_side              stroke on which cavitation occurs [0 compression, 1 rebound]
+//   cavitation_return            fraction of C that acts on the return while the void closes; 1: gas still pushes, 0: no force [-, 0 to 1, default 0]
+//   cavitation_form              cause of the void: limited force on that stroke, or a foot valve that does not refill the chamber behind the piston [0 cap, 1 foot_valve]
+//   cavitation_velocity          foot valve: speed above which the chamber is not refilled completely, v_f [m/s, 0 to 10, default 0.3]
+//   cavitation_unfilled          foot valve: fraction of the flow above v_f that is not refilled, a [-, 1e-4 to 1, default 0.05]
+//   cavitation_onset             cap: force at which the void opens, as a fraction of C, alpha; 1: at C [-, 0 to 1, default 1]
+//   cavitation_expansion         cap: void depth at which the expanding gas has raised the force halfway from alpha C to C, e_1 [m, 1e-5 to 0.1, default 5e-4]
 //
-// position_dependent_damping (element, off by default): damping that is weaker (bypass) or firmer over a part of the stroke
-//   bypass_share                 share of the FV force that is missing in the zone, a; negative: a firmer zone [-, -4 to 0.95, default 0.3]
-//   bypass_centre                displacement at the middle of the zone, c [m, -1 to 1, default 0]
-//   bypass_half_width            half the length of the zone, w [m, 0.001 to 1, default 0.02]
-//   bypass_blend                 length over which the zone fades out, b [m, 5e-4 to 0.5, default 0.005]
-//   bypass_strokes               strokes on which it acts [0 both, 1 rebound, 2 compression]
-//   bypass_form                  factor on the FV force, or flow beside the valves [0 factor, 1 groove]
-//   bypass_flow                  groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b [m/s, 0 to 10, default 0.2]
+// position_dependent_damping (element, off by default): position-dependent damping: lower (bypass) or higher over a part of the stroke
+//   bypass_share                 fraction by which the FV force is reduced in the zone, a; negative: increased [-, -4 to 0.95, default 0.3]
+//   bypass_centre                displacement at the center of the zone, c [m, -1 to 1, default 0]
+//   bypass_half_width            half of the length of the zone, w [m, 0.001 to 1, default 0.02]
+//   bypass_blend                 transition length at either end of the zone, b [m, 5e-4 to 0.5, default 0.005]
+//   bypass_strokes               strokes on which the zone acts [0 both, 1 rebound, 2 compression]
+//   bypass_form                  factor on the FV force, or bypass flow parallel to the valves [0 factor, 1 groove]
+//   bypass_flow                  groove: bypass flow in the zone at a hydraulic force of 1 kN, as a piston velocity, q_b [m/s, 0 to 10, default 0.2]
 //
-// temperature_fade (element, off by default): damping that falls with the temperature of the oil, measured or by its own heat
-//   fade_source                  temperature as given, or as the surroundings' plus the rise by the damper's own heat [0 measured, 1 self_heating]
-//   fade_coefficient             fall of the damping per kelvin, alpha [1/K, -0.02 to 0.2, default 0.003]
-//   fade_reference               temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
-//   heat_capacity                heat capacity of oil and body, C_h [J/K, 0.05 to 1e7, default 1500]
-//   heat_transfer                heat given to the surroundings per kelvin, h [W/K, 0 to 1e5, default 6]
-//   fade_laminar_force           force at which half of it still is laminar and fades, F_l; large: all of it fades [N, 0.01 to 1e9, default 1e9]
-//   fade_slackening              how soon the fall per kelvin gets smaller, kappa; 0: exponential, 1/(T_0 + 95 degC): Vogel's law [1/K, 0 to 0.03, default 0]
+// temperature_fade (element, off by default): temperature fade: damping that decreases with the oil temperature, measured or from self-heating
+//   fade_source                  oil temperature: measured, or ambient temperature plus computed self-heating [0 measured, 1 self_heating]
+//   fade_coefficient             relative decrease of the damping per kelvin, alpha [1/K, -0.02 to 0.2, default 0.003]
+//   fade_reference               reference temperature of the FV curve, T_0 [degC, -60 to 200, default 20]
+//   heat_capacity                heat capacity of the oil and the damper body, C_h [J/K, 0.05 to 1e7, default 1500]
+//   heat_transfer                heat flow to the surroundings per kelvin of temperature difference, h [W/K, 0 to 1e5, default 6]
+//   fade_laminar_force           FV force of which half is laminar and fades, F_l; large: all of it fades [N, 0.01 to 1e9, default 1e9]
+//   fade_slackening              temperature dependence of the decrease, kappa; 0: exponential law, 1/(T_0 + 95 degC): Vogel's law [1/K, 0 to 0.03, default 0]
 //
-// frequency_selective_damping (element, off by default): damping that is weaker in fast strokes than in slow ones of the same speed
-//   fsd_form                     lagging share, share that returns within each stroke, or flow beside the valves that ends within each stroke [0 filter, 1 stroke, 2 bypass]
-//   fsd_share                    share of the force that fast strokes lose, a [-, 0 to 0.9, default 0.3]
-//   fsd_time                     time that tells fast from slow, tau [s, 0.001 to 10, default 0.05]
-//   fsd_velocity                 stroke form: speed that fills the control chamber, u_0 [m/s, 0.001 to 1, default 0.02]
-//   fsd_flow                     bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s [m/s, 0 to 10, default 0.2]
+// frequency_selective_damping (element, off by default): frequency-selective damping: lower damping at high than at low stroke frequency, at equal speed
+//   fsd_form                     fraction of the force that lags, fraction that builds up within each stroke, or bypass flow that ends within each stroke [0 filter, 1 stroke, 2 bypass]
+//   fsd_share                    fraction of the force lost at high frequency, a [-, 0 to 0.9, default 0.3]
+//   fsd_time                     time constant of the lag, or of filling the control chamber, tau [s, 0.001 to 10, default 0.05]
+//   fsd_velocity                 stroke form: speed above which the control chamber fills at its full rate, u_0 [m/s, 0.001 to 1, default 0.02]
+//   fsd_flow                     bypass form: bypass flow at a hydraulic force of 1 kN, as a piston velocity, q_s [m/s, 0 to 10, default 0.2]
 //   fsd_force                    bypass form: hydraulic force above which the control chamber fills at its full rate, F_0 [N, 0.001 to 1e6, default 50]
-//   fsd_laminar_force            bypass form: hydraulic force below which its flow is laminar, F_l [N, 0.001 to 1e7, default 20]
+//   fsd_laminar_force            bypass form: hydraulic force below which the bypass flow is laminar, F_l [N, 0.001 to 1e7, default 20]
 //
-// valve_hysteresis (element, off by default): blow-off valve that opens late and closes late: more force while speed rises
-//   valve_hysteresis_share       opening form: share of the force that lateness adds, eta [-, 0 to 1, default 0.15]
+// valve_hysteresis (element, off by default): blow-off valve that opens and closes with a lag: higher force while the speed rises
+//   valve_hysteresis_share       opening form: largest force that the lag adds, as a fraction of the FV force, eta [-, 0 to 1, default 0.15]
 //   valve_opening_force          force at which the valve opens [N, 0.001 to 1e7, default 600]
-//   valve_closing_ratio          opening form: force at which it closes over that at which it opens; 1: the time alone makes it late [-, 0.3 to 1, default 0.85]
-//   valve_time                   time in which it moves, tau; spool: over 2 pi that of its swing [s, 1e-4 to 1, default 0.002]
-//   valve_width                  force over which it opens, b [N, 0.01 to 1e7, default 100]
-//   valve_form                   one opening that comes and goes late, or a valve that lags at every opening by friction or by its mass [0 opening, 1 play, 2 spool]
-//   valve_play                   play form: force that the valve does not follow, P [N, 0 to 1e6, default 0]
-//   valve_damping                spool form: damping ratio, zeta [-, 0.05 to 10, default 0.7]
+//   valve_closing_ratio          opening form: ratio of the closing force to the opening force; 1: lag by the time constant alone [-, 0.3 to 1, default 0.85]
+//   valve_time                   time constant of the valve motion, tau; spool form: natural period over 2 pi [s, 1e-4 to 1, default 0.002]
+//   valve_width                  force range over which the valve opens, b [N, 0.01 to 1e7, default 100]
+//   valve_form                   one opening that lags, or a valve whose position lags at every force, by friction or by its mass [0 opening, 1 play, 2 spool]
+//   valve_play                   play form: change of force that does not move the valve (friction), P [N, 0 to 1e6, default 0]
+//   valve_damping                spool form: damping ratio of the valve, zeta [-, 0.05 to 10, default 0.7]
 //
-// parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup
-//   spring_linear                k_p of k_p x [N/m, 0 to 1e9, default 0]
-//   spring_quadratic             k_p of k_p x|x| [N/m^2, 0 to 1e8, default 10000]
-//   spring_cubic                 k_p of k_p x^3 [N/m^3, 0 to 1e9, default 0]
-//   spring_quartic               k_p of k_p x^3|x| [N/m^4, 0 to 1e10, default 0]
-//   spring_displacement          displacements of the lookup spring, increasing; empty: no lookup [m, -10 to 10, at most 63 numbers]
-//   spring_force                 forces of the lookup spring, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
+// parallel_spring (element, on by default): spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup table
+//   spring_linear                linear stiffness, k_p of k_p x [N/m, 0 to 1e9, default 0]
+//   spring_quadratic             quadratic stiffness, k_p of k_p x|x| [N/m^2, 0 to 1e8, default 10000]
+//   spring_cubic                 cubic stiffness, k_p of k_p x^3 [N/m^3, 0 to 1e9, default 0]
+//   spring_quartic               quartic stiffness, k_p of k_p x^3|x| [N/m^4, 0 to 1e10, default 0]
+//   spring_displacement          displacements of the spring's lookup table, increasing; empty: no table [m, -10 to 10, at most 63 numbers]
+//   spring_force                 forces of the spring's lookup table, non-decreasing [N, -1e6 to 1e6, at most 63 numbers]
 //
-// coulomb_friction (element, off by default): dry friction of constant level, F_s tanh(K v)
-//   coulomb_force                friction level, F_s [N, 0 to 1e6, default 40]
-//   coulomb_steepness            steepness of the change of sign, K [s/m, 1 to 1e5, default 2000]
+// coulomb_friction (element, off by default): Coulomb friction: dry friction of constant magnitude, F_s tanh(K v)
+//   coulomb_force                magnitude of the friction force, F_s [N, 0 to 1e6, default 40]
+//   coulomb_steepness            steepness of the sign change at zero velocity, K [s/m, 1 to 1e5, default 2000]
 //
-// stribeck_friction (element, on by default): dry friction with a break-away peak
-//   stribeck_form                which of the two Stribeck forms [0 simplified, 1 full]
-//   stribeck_breakaway_force     peak (transition) force, F_brk or F_t [N, 0 to 1e6, default 50]
-//   stribeck_coulomb_force       level after the peak, F_c or F_s [N, 0 to 1e6, default 40]
-//   stribeck_breakaway_velocity  velocity of the peak, v_brk or V_fs [m/s, 1e-5 to 1, default 0.005]
-//   stribeck_velocity            full form: velocity scale of the fall, V_s [m/s, 1e-5 to 5, default 0.01]
-//   stribeck_fall                full form: exponent of the fall, a (1 Tustin, 2 Gauss) [-, 1 to 4, default 2]
-//   stribeck_rise                full form: how near F_t the peak comes, c [-, 0.1 to 20, default 3]
-//   stribeck_rise_power          full form: exponent of the rise, d [-, 1 to 4, default 1]
+// stribeck_friction (element, on by default): Stribeck friction: dry friction with a breakaway peak
+//   stribeck_form                form of the Stribeck curve [0 simplified, 1 full]
+//   stribeck_breakaway_force     breakaway force (peak), F_brk or F_t [N, 0 to 1e6, default 50]
+//   stribeck_coulomb_force       Coulomb friction force beyond the peak, F_c or F_s [N, 0 to 1e6, default 40]
+//   stribeck_breakaway_velocity  velocity at the breakaway peak, v_brk or V_fs [m/s, 1e-5 to 1, default 0.005]
+//   stribeck_velocity            full form: Stribeck velocity, the scale of the decrease after the peak, V_s [m/s, 1e-5 to 5, default 0.01]
+//   stribeck_fall                full form: exponent of the decrease after the peak, a (1 Tustin, 2 Gauss) [-, 1 to 4, default 2]
+//   stribeck_rise                full form: steepness of the rise to the peak, c; large: the peak reaches F_t [-, 0.1 to 20, default 3]
+//   stribeck_rise_power          full form: exponent of the rise to the peak, d [-, 1 to 4, default 1]
 //
-// viscous_friction (element, on by default): viscous friction, F_v v|v|
-//   viscous_coefficient          F_v of F_v v|v| [N s^2/m^2, 0 to 1e7, default 10]
+// viscous_friction (element, on by default): viscous friction, quadratic in the velocity, F_v v|v|
+//   viscous_coefficient          friction coefficient, F_v of F_v v|v| [N s^2/m^2, 0 to 1e7, default 10]
 //
-// side_force_friction (element, off by default): dry friction proportional to side force
-//   side_force_coefficient       friction per side force, k_avg [-, 0 to 2, default 0.05]
-//   side_force_steepness         steepness of the change of sign, K [s/m, 1 to 1e5, default 2000]
+// side_force_friction (element, off by default): dry friction proportional to the side force on the rod
+//   side_force_coefficient       friction coefficient: friction force over side force, k_avg [-, 0 to 2, default 0.05]
+//   side_force_steepness         steepness of the sign change at zero velocity, K [s/m, 1 to 1e5, default 2000]
 //
 // gas_preload (element, on by default): constant gas force
-//   gas_force                    gas force, positive where it pushes the rod out [N, -1e6 to 1e6, default 80]
+//   gas_force                    gas force, positive when it pushes the rod out [N, -1e6 to 1e6, default 80]
 //
-// gas_warming (element, off by default): gas force that grows with the temperature of the damper
-//   gas_warming_rate             growth of the gas force per kelvin, c [N/K, 0 to 5000, default 0.8]
-//   gas_warming_reference        temperature at which the gas force is that of the other elements, T_0 [degC, -60 to 200, default 20]
+// gas_warming (element, off by default): gas force that increases with the temperature of the damper
+//   gas_warming_rate             increase of the gas force per kelvin, c [N/K, 0 to 5000, default 0.8]
+//   gas_warming_reference        temperature at which this element adds no gas force, T_0 [degC, -60 to 200, default 20]
 //
-// lagged_polynomial (element, off by default): polynomial FV curve with a first-order lag whose time constant ramps with speed
-//   polynomial                   coefficients of v^0, v^1, ... [N (s/m)^k, -1e9 to 1e9, at most 12 numbers]
-//   lag_slow                     time constant at low speed [s, 1e-5 to 1, default 0.004]
-//   lag_fast                     time constant at high speed [s, 1e-5 to 1, default 0.001]
-//   lag_v1                       speed at which the time constant starts to change [m/s, 0 to 10, default 0.05]
-//   lag_v2                       speed at which it has changed [m/s, 1e-4 to 20, default 0.5]
+// lagged_polynomial (element, off by default): polynomial FV curve with a first-order lag, whose time constant depends on the speed
+//   polynomial                   coefficients of the polynomial FV curve, of v^0, v^1, ... [N (s/m)^k, -1e9 to 1e9, at most 12 numbers]
+//   lag_slow                     time constant of the lag at low speed [s, 1e-5 to 1, default 0.004]
+//   lag_fast                     time constant of the lag at high speed [s, 1e-5 to 1, default 0.001]
+//   lag_v1                       speed below which the time constant is that of low speed [m/s, 0 to 10, default 0.05]
+//   lag_v2                       speed above which the time constant is that of high speed [m/s, 1e-4 to 20, default 0.5]
 //
-// presliding_friction (element, off by default): friction that turns over within a short travel after each reversal (Dahl)
-//   presliding_force             friction level after long travel, F_c [N, 0 to 1e6, default 40]
-//   presliding_length            travel in which the force approaches its level by a factor e, z_0 [m, 1e-5 to 0.005, default 3e-4]
-//   presliding_power             1: slips from the first (Dahl); larger: bends elastically before it slips, n [-, 1 to 10, default 1]
-//   presliding_return            after a reversal a bent contact slips at once, or first springs back [0 slips, 1 elastic]
+// presliding_friction (element, off by default): presliding friction (Dahl): friction that changes sign over a short travel after each reversal
+//   presliding_force             friction force after long travel, F_c [N, 0 to 1e6, default 40]
+//   presliding_length            presliding displacement: travel over which the difference to F_c falls by a factor e, z_0 [m, 1e-5 to 0.005, default 3e-4]
+//   presliding_power             exponent of the slip, n; 1: slip from the start (Dahl), larger: elastic deflection before slip [-, 1 to 10, default 1]
+//   presliding_return            unloading after a reversal: with slip, or elastic [0 slips, 1 elastic]
 //   presliding_creep             speed below which the contact creeps, v_c [m/s, 1e-9 to 0.1, default 1e-9]
 //
-// gas_spring (element, off by default): growth of the gas force with the displacement of the rod, slow to fast
-//   gas_stiffness                slow (isothermal) stiffness at x = 0, k [N/m, 0 to 1e8, default 500]
-//   gas_length                   gas volume at x = 0 over the area of the rod, L: how soon it stiffens [m, 0.05 to 10, default 0.4]
-//   gas_adiabatic_index          ratio of fast to slow stiffness, gamma [-, 1 to 1.67, default 1.4]
-//   gas_thermal_time             time in which the gas takes the temperature of its wall, tau [s, 0.01 to 1000, default 3]
+// gas_spring (element, off by default): change of the gas force with the rod displacement, isothermal to adiabatic
+//   gas_stiffness                isothermal gas stiffness at x = 0, k [N/m, 0 to 1e8, default 500]
+//   gas_length                   gas volume at x = 0 over the rod area, L; shorter: more progressive [m, 0.05 to 10, default 0.4]
+//   gas_adiabatic_index          adiabatic index: ratio of adiabatic to isothermal stiffness, gamma [-, 1 to 1.67, default 1.4]
+//   gas_thermal_time             thermal time constant between gas and wall, tau [s, 0.01 to 1000, default 3]
 //
-// moving_mass (element, off by default): mass moved by the driven end, between load cell and damper, or by the piston
-//   moving_mass                  mass, M [kg, 0 to 10000, default 2]
-//   moving_mass_time             time by which its force lags, tau; short beside the motion [s, 1e-4 to 0.01, default 2e-4]
-//   moving_mass_place            what moves it: the driven end, or the piston behind the series stiffness [0 driven end, 1 inside]
+// moving_mass (element, off by default): inertia of a mass between load cell and damper, which the moving end drives, or of one that the piston drives
+//   moving_mass                  moving mass, M [kg, 0 to 10000, default 2]
+//   moving_mass_time             lag of the inertia force, tau; short compared with the motion [s, 1e-4 to 0.01, default 2e-4]
+//   moving_mass_place            point that drives the mass: moving end of the damper, or piston behind the series stiffness [0 driven end, 1 inside]
 //
-// bump_stop (element, off by default): stop at the end of the compression stroke, rubber or hydraulic
-//   bump_stop_clearance          compression from x = 0 at which the stop is met, as a positive length [m, 0 to 1, default 0.05]
-//   bump_stop_stiffness          stiffness at first contact [N/m, 0 to 1e9, default 50000]
-//   bump_stop_progression        depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
-//   bump_stop_loss               share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
-//   bump_stop_damping            hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e8, default 0]
-//   bump_stop_flow               hydraulic force with speed, or with its square (1 m/s alike) [0 gap, 1 orifice]
+// bump_stop (element, off by default): bump stop at the end of the compression stroke, rubber or hydraulic
+//   bump_stop_clearance          compression from x = 0 to first contact with the stop, positive [m, 0 to 1, default 0.05]
+//   bump_stop_stiffness          stiffness of the stop at first contact [N/m, 0 to 1e9, default 50000]
+//   bump_stop_progression        deflection of the stop at which its spring force is twice the linear force [m, 0.001 to 1, default 0.02]
+//   bump_stop_loss               fraction of the spring force lost on loading, and again on unloading [-, 0 to 0.9, default 0.15]
+//   bump_stop_damping            hydraulic damping coefficient on loading, at the deflection of the progression [N s/m, 0 to 1e8, default 0]
+//   bump_stop_flow               hydraulic force proportional to the speed (gap) or to its square (orifice), equal at 1 m/s [0 gap, 1 orifice]
 //
-// rebound_stop (element, off by default): stop at the end of the rebound stroke, rubber or hydraulic
-//   rebound_stop_clearance       extension from x = 0 at which the stop is met [m, 0 to 1, default 0.05]
-//   rebound_stop_stiffness       stiffness at first contact [N/m, 0 to 1e9, default 1e5]
-//   rebound_stop_progression     depth at which the spring has twice the force of a straight one [m, 0.001 to 1, default 0.02]
-//   rebound_stop_loss            share of the spring force that is lost on the way in and again on the way out [-, 0 to 0.9, default 0.15]
-//   rebound_stop_damping         hydraulic damping on the way in, at the depth of the progression [N s/m, 0 to 1e8, default 0]
-//   rebound_stop_flow            hydraulic force with speed, or with its square (1 m/s alike) [0 gap, 1 orifice]
+// rebound_stop (element, off by default): rebound stop at the end of the rebound stroke, rubber or hydraulic
+//   rebound_stop_clearance       extension from x = 0 to first contact with the stop [m, 0 to 1, default 0.05]
+//   rebound_stop_stiffness       stiffness of the stop at first contact [N/m, 0 to 1e9, default 1e5]
+//   rebound_stop_progression     deflection of the stop at which its spring force is twice the linear force [m, 0.001 to 1, default 0.02]
+//   rebound_stop_loss            fraction of the spring force lost on loading, and again on unloading [-, 0 to 0.9, default 0.15]
+//   rebound_stop_damping         hydraulic damping coefficient on loading, at the deflection of the progression [N s/m, 0 to 1e8, default 0]
+//   rebound_stop_flow            hydraulic force proportional to the speed (gap) or to its square (orifice), equal at 1 m/s [0 gap, 1 orifice]
 //
 // integration: settings of the fixed-step integration
-//   method                       method inside a step; automatic: the cheapest that keeps the error of a 1 ms step below a thousandth [0 automatic, 1 second_order, 2 euler, 3 third_order, 4 fourth_order, 5 three_stage]
-//   substeps                     substeps inside one host step; 0: as many as the model's stiffness and damping ask for [-, 0 to 64, default 0]
+//   method                       integration method within a step; automatic: the cheapest with an error below a thousandth in a step of 1 ms [0 automatic, 1 second_order, 2 euler, 3 third_order, 4 fourth_order, 5 three_stage]
+//   substeps                     substeps within one step of the host; 0: as many as stiffness and damping of the model require [-, 0 to 64, default 0]
 
 
 #ifdef __cplusplus

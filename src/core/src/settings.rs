@@ -12,14 +12,14 @@ impl Describe for Settings {
         Parameter::choice(
             "method",
             &["automatic", "second_order", "euler", "third_order", "fourth_order", "three_stage"],
-            "method inside a step; automatic: the cheapest that keeps the error of a 1 ms step below a thousandth",
+            "integration method within a step; automatic: the cheapest with an error below a thousandth in a step of 1 ms",
         ),
         Parameter::scalar(
             "substeps",
             "-",
             &[0.0],
             (0.0, 64.0),
-            "substeps inside one host step; 0: as many as the model's stiffness and damping ask for",
+            "substeps within one step of the host; 0: as many as stiffness and damping of the model require",
         ),
     ];
 }

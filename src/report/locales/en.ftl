@@ -666,9 +666,9 @@ name-rig-mass = mass on the load cell
 name-offset = zero error
 name-drift = drift
 name-whole-drift = drift in all
-name-share = share
-name-share-across = share across
-name-share-growth = growth of the share
+name-share = ratio
+name-share-across = quadrature ratio
+name-share-growth = growth of the ratio
 name-cooling-rate = cooling rate
 
 ## Names. Parts of the FV curve that change as one.
@@ -717,9 +717,9 @@ name-bushing-slow-time = slow relaxation time of the rubber
 
 name-oil-stiffness = stiffness of the oil column
 name-oil-shortening = shortening of the oil column
-name-oil-chambers = chambers that yield
+name-oil-chambers = compressible chambers
 name-oil-compression = oil stiffness ratio of compression
-name-aeration-stroke = stroke taken up by air
+name-aeration-stroke = stroke absorbed by air
 name-aeration-force = force that closes the air
 name-aeration-compression = air ratio of compression
 name-cavitation-force = cavitation limit
@@ -727,15 +727,15 @@ name-cavitation-side = stroke that cavitates
 name-cavitation-return = force on the return
 name-cavitation-form = form of the cavitation
 name-cavitation-velocity = speed limit of the foot valve
-name-cavitation-unfilled = share not refilled
+name-cavitation-unfilled = unfilled fraction of the flow
 name-lost-stroke = lost stroke
 name-cavitation-onset = onset of the cavitation
 name-cavitation-expansion = expansion of the void
 
 ## Names. Over the stroke.
 
-name-bypass-share = missing share in the zone
-name-bypass-centre = middle of the zone
+name-bypass-share = force reduction in the zone
+name-bypass-centre = center of the zone
 name-bypass-half-width = half-width of the zone
 name-bypass-blend = transition of the zone
 name-bypass-strokes = strokes of the zone
@@ -745,26 +745,26 @@ name-bypass-flow = flow through the groove
 ## Names. Heat.
 
 name-fade-source = source of the temperature
-name-fade-coefficient = fall per kelvin
+name-fade-coefficient = damping decrease per kelvin
 name-fade-reference = reference temperature
 name-heat-capacity = heat capacity
-name-heat-transfer = heat given off per kelvin
+name-heat-transfer = heat flow per kelvin
 name-fade-laminar-force = laminar force limit
-name-fade-slackening = slackening of the fall
+name-fade-slackening = temperature dependence of the decrease
 
 ## Names. Valves.
 
 name-fsd-form = form of the frequency dependence
-name-fsd-share = share lost by fast strokes
-name-fsd-time = time between fast and slow
+name-fsd-share = force fraction lost at high frequency
+name-fsd-time = time constant of the frequency dependence
 name-fsd-velocity = filling speed of the chamber
 name-fsd-flow = bypass flow
 name-fsd-force = filling force of the chamber
 name-fsd-laminar-force = laminar limit of the bypass
-name-valve-hysteresis-share = share of the valve hysteresis
+name-valve-hysteresis-share = force fraction added by the valve lag
 name-valve-opening-force = opening force of the valve
 name-valve-closing-ratio = closing to opening force
-name-valve-time = time of the valve
+name-valve-time = time constant of the valve
 name-valve-width = opening range of the valve
 name-valve-form = form of the valve hysteresis
 name-valve-play = play of the valve
@@ -788,8 +788,8 @@ name-stribeck-breakaway-force = break-away force
 name-stribeck-coulomb-force = friction after break-away
 name-stribeck-breakaway-velocity = break-away velocity
 name-stribeck-velocity = Stribeck velocity
-name-stribeck-fall = exponent of the fall
-name-stribeck-rise = height of the peak
+name-stribeck-fall = exponent of the decrease
+name-stribeck-rise = steepness of the rise
 name-stribeck-rise-power = exponent of the rise
 name-viscous-coefficient = viscous coefficient
 name-side-force-coefficient = friction per side force
@@ -848,7 +848,7 @@ choice-bypass = bypass
 choice-cap = limited force
 choice-compression = compression
 choice-cubic-each-side = cubic each side
-choice-driven-end = driven end
+choice-driven-end = moving end
 choice-elastic = elastic return
 choice-euler = Euler
 choice-factor = factor

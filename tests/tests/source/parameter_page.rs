@@ -11,7 +11,7 @@ use std::fmt::Write as _;
 use std::path::Path;
 
 /// Formats the prior of a parameter. Returns an empty text for a parameter without a prior.
-fn usual(row: Row) -> String {
+fn prior(row: Row) -> String {
     match Number::try_from(row).ok().and_then(|number| priors::distribution(number, Scale::CAR)) {
         Some(Distribution::Size(median, factor)) => format!("size {median} ×/÷ {factor}"),
         Some(Distribution::Strength(median, factor)) => format!("strength {median} × {factor}"),
@@ -31,26 +31,32 @@ fn page() -> String {
     let default = Params::new();
     let mut out = String::from(
         "# Elements and parameters\n\n\
-         Written from the kernel's parameter table by `UPDATE_DOCS=1 cargo test --release --test source parameter_page`.\n\n\
-         SI units; extension (rebound) velocity and tension force positive. Names are those of the model file, of\n\
-         `dashpot_params_set` in C, and of reports. A model file names the elements that are on; parameters that it does\n\
-         not name keep their defaults.\n\n\
-         Bounds are those of `dashpot.h`, which setting a number checks. Numbers with a force in their unit (N, kg, J or W) must also be of one size: each\n\
-         within what it may be in a car's damper (in brackets), all of them a thousandth to a hundred times as large.\n\n\
-         Usual is what dampers show before any record is seen: a size (median, and the factor by which one damper in three lies\n\
-         off it), a strength (median of those that have the effect, and the factor by which one in six lies above it) or a place\n\
-         (mean ± standard deviation, or the most frequent value with one to each side). A fit or a diagnosis stays there where records leave a number open. All of it was learned of the dampers of passenger\n\
-         cars; with a largest force below 300 N or above 8 kN, what has a force in its unit (N, kg, J or W) is taken in proportion to\n\
-         that force. A search goes no further than it would with a damper of a car, in proportion. Sources stand below.\n",
+         `UPDATE_DOCS=1 cargo test --release --test source parameter_page` writes this page from the kernel's parameter table.\n\n\
+         All numbers are in SI units. Extension (rebound) velocity and tension force are positive. The model file,\n\
+         `dashpot_params_set` in C and the reports use these names. A model file names the elements that are on. Parameters\n\
+         that it does not name keep their defaults.\n\n\
+         **Bounds** are those of `dashpot.h`, and every setter checks them. Numbers with a force in their unit (N, kg, J or W)\n\
+         must also belong to one size of damper. Their bounds for a car damper are in brackets. All these numbers must lie within\n\
+         the bounds in brackets times one common factor, which is between 0.001 and 100.\n\n\
+         **Priors** are the distributions over dampers before any record is evaluated. Where records leave a number open, a fit or a\n\
+         diagnosis keeps the center of its prior.\n\n\
+         | prior | distribution |\n|---|---|\n\
+         | size a ×/÷ b | median a of a positive quantity; one damper in three differs from it by more than the factor b |\n\
+         | strength a × b | median a of the dampers that have the effect; one in six exceeds it by more than the factor b |\n\
+         | a ± b | mean a and standard deviation b |\n\
+         | a −b +c | mode a, standard deviation b below and c above it |\n\n\
+         All priors come from dampers of passenger cars. If the largest force is below 300 N or above 8 kN, priors with a force in\n\
+         their unit are proportional to it. The ranges of a search scale in the same way. The last section lists the\n\
+         [sources](#sources-of-the-priors).\n",
     );
     for (g, group) in GROUPS.iter().enumerate() {
         let on = match Element::of_group(g) {
-            None => "no element: always there",
+            None => "no element, always present",
             Some(element) if default.is_on(element) => "on by default",
             Some(_) => "off by default",
         };
         let _ = write!(out, "\n## `{}`\n\n{}; {on}.\n\n", group.name, group.meaning);
-        out += "| parameter | meaning | unit | default | bounds | usual |\n|---|---|---|---|---|---|\n";
+        out += "| parameter | meaning | unit | default | bounds | prior |\n|---|---|---|---|---|---|\n";
         for row in parameter::table().filter(|r| r.group == g) {
             let p = row.parameter;
             let (default, bounds) = match p.shape {
@@ -67,11 +73,11 @@ fn page() -> String {
                 p.name,
                 p.meaning.replace('|', "\\|"),
                 p.unit.replace('|', "\\|"),
-                usual(row)
+                prior(row)
             );
         }
     }
-    out += "\n## What is usual, and where that comes from\n\n| parameters | source |\n|---|---|\n";
+    out += "\n## Sources of the priors\n\n| parameters | source |\n|---|---|\n";
     let mut sources: Vec<&str> = Vec::new();
     for prior in PRIORS {
         if !sources.contains(&prior.source) {

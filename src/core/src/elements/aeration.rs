@@ -18,22 +18,28 @@ pub struct Aeration {
 }
 
 impl Describe for Aeration {
-    const MEANING: &'static str = "air in the oil: the oil column is soft while the force is small";
+    const MEANING: &'static str = "free air in the oil: low stiffness of the oil column at small forces";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("aeration_stroke", "m", &[3e-4], (0.0, 5e-3), "stroke that the air takes up in rebound, d_a"),
+        Parameter::scalar(
+            "aeration_stroke",
+            "m",
+            &[3e-4],
+            (0.0, 5e-3),
+            "stroke that the compression of the air absorbs in rebound, d_a",
+        ),
         Parameter::scalar(
             "aeration_force",
             "N",
             &[150.0],
             (1.0, 1e4),
-            "force at which half of that stroke is taken, F_a",
+            "force at which the air has absorbed half of its stroke, F_a",
         ),
         Parameter::scalar(
             "aeration_compression",
             "-",
             &[1.0],
             (0.0, 20.0),
-            "stroke that the air takes up in compression, as a share of that in rebound, r_a",
+            "ratio of the stroke that the air absorbs in compression to that in rebound, r_a",
         ),
     ];
 }

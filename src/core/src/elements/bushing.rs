@@ -57,52 +57,52 @@ const TURNING: f64 = 2e-3;
 
 impl Describe for Bushing {
     const MEANING: &'static str =
-        "rubber in line with the damper: the series spring hardens and loses energy; needs series_compliance";
+        "rubber bushing in series with the damper: stiffening spring with hysteresis; needs series_compliance";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar(
             "bushing_hardening",
             "m",
             &[2e-3],
             (2e-4, 1.0),
-            "deflection at which the series spring has doubled its force, d_h",
+            "deflection at which stiffening doubles the force of the series spring, d_h",
         ),
         Parameter::scalar(
             "bushing_loss_stiffness",
             "-",
             &[0.3],
             (0.0, 30.0),
-            "share of the series stiffness that fast or small motion adds, k_1/k_s",
+            "stiffness of the fast relaxing (Maxwell) branch over the series stiffness, k_1/k_s",
         ),
-        Parameter::scalar("bushing_loss_time", "s", &[0.01], (1e-4, 1e3), "time in which that share gives way, tau"),
+        Parameter::scalar("bushing_loss_time", "s", &[0.01], (1e-4, 1e3), "relaxation time of the fast branch, tau"),
         Parameter::scalar(
             "bushing_slip",
             "m",
             &[1e3],
             (1e-6, 1e3),
-            "deflection in which that share gives way by friction, d_f; large: by time alone",
+            "deflection over which filler friction relaxes the fast branch, d_f; large: relaxation in time only",
         ),
         Parameter::scalar(
             "bushing_stop",
             "m",
             &[1e-3],
             (1e-5, 1.0),
-            "deflection at which the rubber meets a stop, to either side, L",
+            "deflection at which the rubber meets a stop, in either direction, L",
         ),
         Parameter::scalar(
             "bushing_stop_stiffness",
             "-",
             &[0.0],
             (0.0, 100.0),
-            "share of the series stiffness that the stop adds, k_e/k_s; 0: no stop",
+            "stiffness that the stop adds, over the series stiffness, k_e/k_s; 0: no stop",
         ),
         Parameter::scalar(
             "bushing_slow_stiffness",
             "-",
             &[0.0],
             (0.0, 30.0),
-            "share of the series stiffness that gives way slowly, k_2/k_s",
+            "stiffness of the slowly relaxing (Maxwell) branch over the series stiffness, k_2/k_s; 0: no such branch",
         ),
-        Parameter::scalar("bushing_slow_time", "s", &[0.1], (1e-3, 1e3), "time in which that share gives way, tau_2"),
+        Parameter::scalar("bushing_slow_time", "s", &[0.1], (1e-3, 1e3), "relaxation time of the slow branch, tau_2"),
     ];
 }
 

@@ -80,29 +80,34 @@ const STEPS: usize = 80;
 const CLOSE: f64 = 1e-9;
 
 impl Describe for Cavitation {
-    const MEANING: &'static str =
-        "cavitation: the hydraulic force of one stroke is capped, and a void remains to be closed";
+    const MEANING: &'static str = "cavitation: one stroke opens a void, which the return stroke must close";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("cavitation_force", "N", &[1500.0], (10.0, 1e6), "largest hydraulic force of that stroke, C"),
-        Parameter::choice("cavitation_side", &["compression", "rebound"], "stroke whose force is capped"),
+        Parameter::scalar(
+            "cavitation_force",
+            "N",
+            &[1500.0],
+            (10.0, 1e6),
+            "largest hydraulic force on the cavitating stroke, C",
+        ),
+        Parameter::choice("cavitation_side", &["compression", "rebound"], "stroke on which cavitation occurs"),
         Parameter::scalar(
             "cavitation_return",
             "-",
             &[0.0],
             (0.0, 1.0),
-            "share of the cap that stays on the return while the void closes: 1 gas pushes on, 0 dead stroke",
+            "fraction of C that acts on the return while the void closes; 1: gas still pushes, 0: no force",
         ),
         Parameter::choice(
             "cavitation_form",
             &["cap", "foot_valve"],
-            "void by the limited force of that stroke, or by a foot valve that does not refill the chamber behind it",
+            "cause of the void: limited force on that stroke, or a foot valve that does not refill the chamber behind the piston",
         ),
         Parameter::scalar(
             "cavitation_velocity",
             "m/s",
             &[0.3],
             (0.0, 10.0),
-            "foot valve: speed of that stroke beyond which the chamber is not refilled, v_f",
+            "foot valve: speed above which the chamber is not refilled completely, v_f",
         )
         .in_form("cavitation_form", &["foot_valve"]),
         Parameter::scalar(
@@ -110,7 +115,7 @@ impl Describe for Cavitation {
             "-",
             &[0.05],
             (1e-4, 1.0),
-            "foot valve: share of the flow beyond that speed that is missing, a",
+            "foot valve: fraction of the flow above v_f that is not refilled, a",
         )
         .in_form("cavitation_form", &["foot_valve"]),
         Parameter::scalar(
@@ -118,7 +123,7 @@ impl Describe for Cavitation {
             "-",
             &[1.0],
             (0.0, 1.0),
-            "cap: share of it at which the void opens, alpha; 1: at the cap itself",
+            "cap: force at which the void opens, as a fraction of C, alpha; 1: at C",
         )
         .in_form("cavitation_form", &["cap"]),
         Parameter::scalar(
@@ -126,7 +131,7 @@ impl Describe for Cavitation {
             "m",
             &[5e-4],
             (1e-5, 0.1),
-            "cap: void over which half of the rest is gained as its gas expands, e_1",
+            "cap: void depth at which the expanding gas has raised the force halfway from alpha C to C, e_1",
         )
         .in_form("cavitation_form", &["cap"]),
     ];

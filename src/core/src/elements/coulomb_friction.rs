@@ -15,10 +15,16 @@ pub struct CoulombFriction {
 }
 
 impl Describe for CoulombFriction {
-    const MEANING: &'static str = "dry friction of constant level, F_s tanh(K v)";
+    const MEANING: &'static str = "Coulomb friction: dry friction of constant magnitude, F_s tanh(K v)";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("coulomb_force", "N", &[40.0], (0.0, 1e4), "friction level, F_s"),
-        Parameter::scalar("coulomb_steepness", "s/m", &[2000.0], (1.0, 1e5), "steepness of the change of sign, K"),
+        Parameter::scalar("coulomb_force", "N", &[40.0], (0.0, 1e4), "magnitude of the friction force, F_s"),
+        Parameter::scalar(
+            "coulomb_steepness",
+            "s/m",
+            &[2000.0],
+            (1.0, 1e5),
+            "steepness of the sign change at zero velocity, K",
+        ),
     ];
 }
 

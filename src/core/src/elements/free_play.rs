@@ -43,20 +43,20 @@ impl FreePlay {
 impl Describe for FreePlay {
     const MEANING: &'static str = "free play in an eye or mount; needs series_compliance";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("free_play_gap", "m", &[2e-4], (0.0, 5e-3), "free travel from contact to contact, 2 g"),
+        Parameter::scalar("free_play_gap", "m", &[2e-4], (0.0, 5e-3), "total free play from contact to contact, 2 g"),
         Parameter::scalar(
             "free_play_force",
             "N",
             &[20.0],
             (0.1, 1e4),
-            "force at which the gap is half closed, F_0: softness of the contact",
+            "softness of the contact: force, beyond F_1, that closes half of the gap, F_0",
         ),
         Parameter::scalar(
             "free_play_load",
             "N",
             &[0.0],
             (-1e4, 1e4),
-            "force in the middle of the gap, F_1: weight on the eye, gas force that it carries, clamping",
+            "load at the middle of the gap, F_1: weight on the eye, gas force, clamping",
         ),
     ];
 }

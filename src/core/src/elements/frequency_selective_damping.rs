@@ -37,22 +37,29 @@ pub struct FrequencySelectiveDamping {
 }
 
 impl Describe for FrequencySelectiveDamping {
-    const MEANING: &'static str = "damping that is weaker in fast strokes than in slow ones of the same speed";
+    const MEANING: &'static str =
+        "frequency-selective damping: lower damping at high than at low stroke frequency, at equal speed";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::choice(
             "fsd_form",
             &["filter", "stroke", "bypass"],
-            "lagging share, share that returns within each stroke, or flow beside the valves that ends within each stroke",
+            "fraction of the force that lags, fraction that builds up within each stroke, or bypass flow that ends within each stroke",
         ),
-        Parameter::scalar("fsd_share", "-", &[0.3], (0.0, 0.9), "share of the force that fast strokes lose, a")
+        Parameter::scalar("fsd_share", "-", &[0.3], (0.0, 0.9), "fraction of the force lost at high frequency, a")
             .in_form("fsd_form", &["filter", "stroke"]),
-        Parameter::scalar("fsd_time", "s", &[0.05], (1e-3, 10.0), "time that tells fast from slow, tau"),
+        Parameter::scalar(
+            "fsd_time",
+            "s",
+            &[0.05],
+            (1e-3, 10.0),
+            "time constant of the lag, or of filling the control chamber, tau",
+        ),
         Parameter::scalar(
             "fsd_velocity",
             "m/s",
             &[0.02],
             (1e-3, 1.0),
-            "stroke form: speed that fills the control chamber, u_0",
+            "stroke form: speed above which the control chamber fills at its full rate, u_0",
         )
         .in_form("fsd_form", &["stroke"]),
         Parameter::scalar(
@@ -60,7 +67,7 @@ impl Describe for FrequencySelectiveDamping {
             "m/s",
             &[0.2],
             (0.0, 10.0),
-            "bypass form: piston velocity that flows past at a hydraulic force of 1 kN, q_s",
+            "bypass form: bypass flow at a hydraulic force of 1 kN, as a piston velocity, q_s",
         )
         .in_form("fsd_form", &["bypass"]),
         Parameter::scalar(
@@ -76,7 +83,7 @@ impl Describe for FrequencySelectiveDamping {
             "N",
             &[20.0],
             (1.0, 1e5),
-            "bypass form: hydraulic force below which its flow is laminar, F_l",
+            "bypass form: hydraulic force below which the bypass flow is laminar, F_l",
         )
         .in_form("fsd_form", &["bypass"]),
     ];

@@ -25,11 +25,15 @@ const COMPRESSION_C: [Own<FvCurve, One>; 2] = [Own::named("fv_compression_c1"), 
 impl Describe for FvCurve {
     const MEANING: &'static str = "primary damper: the force-velocity (FV) curve";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::choice("fv_form", &["table", "piecewise"], "FV curve from the table or from slopes and knees"),
+        Parameter::choice(
+            "fv_form",
+            &["table", "piecewise"],
+            "source of the FV curve: table, or damping coefficients and knee velocities",
+        ),
         Parameter::choice(
             "fv_interpolation",
             &["monotone_cubic", "linear", "cubic_each_side"],
-            "how the FV table runs between its points",
+            "interpolation between the points of the FV table",
         )
         .in_form("fv_form", &["table"]),
         Parameter::list(
@@ -50,21 +54,51 @@ impl Describe for FvCurve {
             "forces of the FV table, tension positive, non-decreasing",
         )
         .in_form("fv_form", &["table"]),
-        Parameter::scalar("fv_rebound_c1", "N s/m", &[6000.0], (0.0, 1e6), "Cr1: rebound slope below the first knee")
+        Parameter::scalar(
+            "fv_rebound_c1",
+            "N s/m",
+            &[6000.0],
+            (0.0, 1e6),
+            "Cr1: rebound damping coefficient below the first knee",
+        )
+        .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar(
+            "fv_rebound_c2",
+            "N s/m",
+            &[2500.0],
+            (0.0, 1e6),
+            "Cr2: rebound damping coefficient between the knees",
+        )
+        .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar(
+            "fv_rebound_c3",
+            "N s/m",
+            &[1600.0],
+            (0.0, 1e6),
+            "Cr3: rebound damping coefficient above the second knee",
+        )
+        .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_rebound_v1", "m/s", &[0.13], (1e-4, 10.0), "velocity of the first rebound knee")
             .in_form("fv_form", &["piecewise"]),
-        Parameter::scalar("fv_rebound_c2", "N s/m", &[2500.0], (0.0, 1e6), "Cr2: rebound slope between the knees")
+        Parameter::scalar("fv_rebound_v2", "m/s", &[0.40], (1e-4, 10.0), "velocity of the second rebound knee")
             .in_form("fv_form", &["piecewise"]),
-        Parameter::scalar("fv_rebound_c3", "N s/m", &[1600.0], (0.0, 1e6), "Cr3: rebound slope above the second knee")
-            .in_form("fv_form", &["piecewise"]),
-        Parameter::scalar("fv_rebound_v1", "m/s", &[0.13], (1e-4, 10.0), "first rebound knee")
-            .in_form("fv_form", &["piecewise"]),
-        Parameter::scalar("fv_rebound_v2", "m/s", &[0.40], (1e-4, 10.0), "second rebound knee")
-            .in_form("fv_form", &["piecewise"]),
-        Parameter::scalar("fv_compression_c1", "N s/m", &[3500.0], (0.0, 1e6), "Cc1: compression slope below the knee")
-            .in_form("fv_form", &["piecewise"]),
-        Parameter::scalar("fv_compression_c2", "N s/m", &[950.0], (0.0, 1e6), "Cc2: compression slope above the knee")
-            .in_form("fv_form", &["piecewise"]),
-        Parameter::scalar("fv_compression_v1", "m/s", &[0.13], (1e-4, 10.0), "compression knee, as a speed")
+        Parameter::scalar(
+            "fv_compression_c1",
+            "N s/m",
+            &[3500.0],
+            (0.0, 1e6),
+            "Cc1: compression damping coefficient below the knee",
+        )
+        .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar(
+            "fv_compression_c2",
+            "N s/m",
+            &[950.0],
+            (0.0, 1e6),
+            "Cc2: compression damping coefficient above the knee",
+        )
+        .in_form("fv_form", &["piecewise"]),
+        Parameter::scalar("fv_compression_v1", "m/s", &[0.13], (1e-4, 10.0), "speed at the compression knee, positive")
             .in_form("fv_form", &["piecewise"]),
     ];
 }

@@ -15,7 +15,7 @@ pub struct GasPreload {
 impl Describe for GasPreload {
     const MEANING: &'static str = "constant gas force";
     const PARAMETERS: &'static [Parameter] =
-        &[Parameter::scalar("gas_force", "N", &[80.0], (-1e4, 1e4), "gas force, positive where it pushes the rod out")];
+        &[Parameter::scalar("gas_force", "N", &[80.0], (-1e4, 1e4), "gas force, positive when it pushes the rod out")];
 }
 
 impl Prepare for GasPreload {

@@ -38,23 +38,29 @@ pub struct GasSpring {
 const SMALLEST: f64 = 0.05;
 
 impl Describe for GasSpring {
-    const MEANING: &'static str = "growth of the gas force with the displacement of the rod, slow to fast";
+    const MEANING: &'static str = "change of the gas force with the rod displacement, isothermal to adiabatic";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("gas_stiffness", "N/m", &[500.0], (0.0, 1e6), "slow (isothermal) stiffness at x = 0, k"),
+        Parameter::scalar("gas_stiffness", "N/m", &[500.0], (0.0, 1e6), "isothermal gas stiffness at x = 0, k"),
         Parameter::scalar(
             "gas_length",
             "m",
             &[0.4],
             (0.05, 10.0),
-            "gas volume at x = 0 over the area of the rod, L: how soon it stiffens",
+            "gas volume at x = 0 over the rod area, L; shorter: more progressive",
         ),
-        Parameter::scalar("gas_adiabatic_index", "-", &[1.4], (1.0, 1.67), "ratio of fast to slow stiffness, gamma"),
+        Parameter::scalar(
+            "gas_adiabatic_index",
+            "-",
+            &[1.4],
+            (1.0, 1.67),
+            "adiabatic index: ratio of adiabatic to isothermal stiffness, gamma",
+        ),
         Parameter::scalar(
             "gas_thermal_time",
             "s",
             &[3.0],
             (0.01, 1e3),
-            "time in which the gas takes the temperature of its wall, tau",
+            "thermal time constant between gas and wall, tau",
         ),
     ];
 }

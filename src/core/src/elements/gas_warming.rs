@@ -17,15 +17,15 @@ pub struct GasWarming {
 }
 
 impl Describe for GasWarming {
-    const MEANING: &'static str = "gas force that grows with the temperature of the damper";
+    const MEANING: &'static str = "gas force that increases with the temperature of the damper";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("gas_warming_rate", "N/K", &[0.8], (0.0, 50.0), "growth of the gas force per kelvin, c"),
+        Parameter::scalar("gas_warming_rate", "N/K", &[0.8], (0.0, 50.0), "increase of the gas force per kelvin, c"),
         Parameter::scalar(
             "gas_warming_reference",
             "degC",
             &[20.0],
             (-60.0, 200.0),
-            "temperature at which the gas force is that of the other elements, T_0",
+            "temperature at which this element adds no gas force, T_0",
         ),
     ];
 }

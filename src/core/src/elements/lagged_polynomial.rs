@@ -31,7 +31,8 @@ const MAX_TERMS: usize = 12;
 const PARTS: usize = 4;
 
 impl Describe for LaggedPolynomial {
-    const MEANING: &'static str = "polynomial FV curve with a first-order lag whose time constant ramps with speed";
+    const MEANING: &'static str =
+        "polynomial FV curve with a first-order lag, whose time constant depends on the speed";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::list(
             "polynomial",
@@ -39,12 +40,24 @@ impl Describe for LaggedPolynomial {
             MAX_TERMS,
             &[0.0, 3000.0],
             (-1e9, 1e9),
-            "coefficients of v^0, v^1, ...",
+            "coefficients of the polynomial FV curve, of v^0, v^1, ...",
         ),
-        Parameter::scalar("lag_slow", "s", &[0.004], (1e-5, 1.0), "time constant at low speed"),
-        Parameter::scalar("lag_fast", "s", &[0.001], (1e-5, 1.0), "time constant at high speed"),
-        Parameter::scalar("lag_v1", "m/s", &[0.05], (0.0, 10.0), "speed at which the time constant starts to change"),
-        Parameter::scalar("lag_v2", "m/s", &[0.5], (1e-4, 20.0), "speed at which it has changed"),
+        Parameter::scalar("lag_slow", "s", &[0.004], (1e-5, 1.0), "time constant of the lag at low speed"),
+        Parameter::scalar("lag_fast", "s", &[0.001], (1e-5, 1.0), "time constant of the lag at high speed"),
+        Parameter::scalar(
+            "lag_v1",
+            "m/s",
+            &[0.05],
+            (0.0, 10.0),
+            "speed below which the time constant is that of low speed",
+        ),
+        Parameter::scalar(
+            "lag_v2",
+            "m/s",
+            &[0.5],
+            (1e-4, 20.0),
+            "speed above which the time constant is that of high speed",
+        ),
     ];
 }
 

@@ -30,20 +30,21 @@ pub struct MovingMass {
 }
 
 impl Describe for MovingMass {
-    const MEANING: &'static str = "mass moved by the driven end, between load cell and damper, or by the piston";
+    const MEANING: &'static str =
+        "inertia of a mass between load cell and damper, which the moving end drives, or of one that the piston drives";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("moving_mass", "kg", &[2.0], (0.0, 100.0), "mass, M"),
+        Parameter::scalar("moving_mass", "kg", &[2.0], (0.0, 100.0), "moving mass, M"),
         Parameter::scalar(
             "moving_mass_time",
             "s",
             &[2e-4],
             (1e-4, 1e-2),
-            "time by which its force lags, tau; short beside the motion",
+            "lag of the inertia force, tau; short compared with the motion",
         ),
         Parameter::choice(
             "moving_mass_place",
             &["driven end", "inside"],
-            "what moves it: the driven end, or the piston behind the series stiffness",
+            "point that drives the mass: moving end of the damper, or piston behind the series stiffness",
         ),
     ];
 }

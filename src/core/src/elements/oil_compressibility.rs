@@ -52,7 +52,7 @@ const SHORTEST: f64 = 0.1;
 
 impl Describe for OilCompressibility {
     const MEANING: &'static str =
-        "compressibility of the oil column (with the expansion of the cylinder) before the valves";
+        "compressibility of the oil column upstream of the valves, expansion of the cylinder included";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar(
             "oil_stiffness",
@@ -66,19 +66,19 @@ impl Describe for OilCompressibility {
             "1/m",
             &[0.0],
             (-50.0, 50.0),
-            "one over the length of the column at x = 0, lambda; 0: the same stiffness at every place",
+            "reciprocal of the oil column length at x = 0, lambda; 0: stiffness independent of the position",
         ),
         Parameter::choice(
             "oil_chambers",
             &["rebound", "both"],
-            "whose column yields: that of the rebound chamber, or that of the chamber under pressure",
+            "chamber whose oil column is compressible: always the rebound chamber, or the chamber under pressure",
         ),
         Parameter::scalar(
             "oil_compression",
             "-",
             &[1.0],
             (0.01, 100.0),
-            "stiffness of the column in compression, as a share of that in rebound, r_o",
+            "ratio of the oil column stiffness in compression to that in rebound, r_o",
         ),
     ];
 }

@@ -34,19 +34,20 @@ const DISPLACEMENT: Own<ParallelSpring, Many> = Own::named("spring_displacement"
 const FORCE: Own<ParallelSpring, Many> = Own::named("spring_force");
 
 impl Describe for ParallelSpring {
-    const MEANING: &'static str = "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup";
+    const MEANING: &'static str =
+        "spring parallel to the primary damper: linear, quadratic, cubic, quartic or lookup table";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("spring_linear", "N/m", &[0.0], (0.0, 1e7), "k_p of k_p x"),
-        Parameter::scalar("spring_quadratic", "N/m^2", &[10000.0], (0.0, 1e6), "k_p of k_p x|x|"),
-        Parameter::scalar("spring_cubic", "N/m^3", &[0.0], (0.0, 1e7), "k_p of k_p x^3"),
-        Parameter::scalar("spring_quartic", "N/m^4", &[0.0], (0.0, 1e8), "k_p of k_p x^3|x|"),
+        Parameter::scalar("spring_linear", "N/m", &[0.0], (0.0, 1e7), "linear stiffness, k_p of k_p x"),
+        Parameter::scalar("spring_quadratic", "N/m^2", &[10000.0], (0.0, 1e6), "quadratic stiffness, k_p of k_p x|x|"),
+        Parameter::scalar("spring_cubic", "N/m^3", &[0.0], (0.0, 1e7), "cubic stiffness, k_p of k_p x^3"),
+        Parameter::scalar("spring_quartic", "N/m^4", &[0.0], (0.0, 1e8), "quartic stiffness, k_p of k_p x^3|x|"),
         Parameter::list(
             "spring_displacement",
             "m",
             MAX_POINTS,
             &[],
             (-10.0, 10.0),
-            "displacements of the lookup spring, increasing; empty: no lookup",
+            "displacements of the spring's lookup table, increasing; empty: no table",
         ),
         Parameter::list(
             "spring_force",
@@ -54,7 +55,7 @@ impl Describe for ParallelSpring {
             MAX_POINTS,
             &[],
             (-1e6, 1e6),
-            "forces of the lookup spring, non-decreasing",
+            "forces of the spring's lookup table, non-decreasing",
         ),
     ];
 }

@@ -29,27 +29,31 @@ pub struct PositionDependentDamping {
 }
 
 impl Describe for PositionDependentDamping {
-    const MEANING: &'static str = "damping that is weaker (bypass) or firmer over a part of the stroke";
+    const MEANING: &'static str = "position-dependent damping: lower (bypass) or higher over a part of the stroke";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar(
             "bypass_share",
             "-",
             &[0.3],
             (-4.0, 0.95),
-            "share of the FV force that is missing in the zone, a; negative: a firmer zone",
+            "fraction by which the FV force is reduced in the zone, a; negative: increased",
         )
         .in_form("bypass_form", &["factor"]),
-        Parameter::scalar("bypass_centre", "m", &[0.0], (-1.0, 1.0), "displacement at the middle of the zone, c"),
-        Parameter::scalar("bypass_half_width", "m", &[0.02], (1e-3, 1.0), "half the length of the zone, w"),
-        Parameter::scalar("bypass_blend", "m", &[5e-3], (5e-4, 0.5), "length over which the zone fades out, b"),
-        Parameter::choice("bypass_strokes", &["both", "rebound", "compression"], "strokes on which it acts"),
-        Parameter::choice("bypass_form", &["factor", "groove"], "factor on the FV force, or flow beside the valves"),
+        Parameter::scalar("bypass_centre", "m", &[0.0], (-1.0, 1.0), "displacement at the center of the zone, c"),
+        Parameter::scalar("bypass_half_width", "m", &[0.02], (1e-3, 1.0), "half of the length of the zone, w"),
+        Parameter::scalar("bypass_blend", "m", &[5e-3], (5e-4, 0.5), "transition length at either end of the zone, b"),
+        Parameter::choice("bypass_strokes", &["both", "rebound", "compression"], "strokes on which the zone acts"),
+        Parameter::choice(
+            "bypass_form",
+            &["factor", "groove"],
+            "factor on the FV force, or bypass flow parallel to the valves",
+        ),
         Parameter::scalar(
             "bypass_flow",
             "m/s",
             &[0.2],
             (0.0, 10.0),
-            "groove: piston velocity that flows past at a hydraulic force of 1 kN in the zone, q_b",
+            "groove: bypass flow in the zone at a hydraulic force of 1 kN, as a piston velocity, q_b",
         )
         .in_form("bypass_form", &["groove"]),
     ];

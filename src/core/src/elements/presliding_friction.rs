@@ -33,27 +33,28 @@ pub struct PreslidingFriction {
 }
 
 impl Describe for PreslidingFriction {
-    const MEANING: &'static str = "friction that turns over within a short travel after each reversal (Dahl)";
+    const MEANING: &'static str =
+        "presliding friction (Dahl): friction that changes sign over a short travel after each reversal";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("presliding_force", "N", &[40.0], (0.0, 1e4), "friction level after long travel, F_c"),
+        Parameter::scalar("presliding_force", "N", &[40.0], (0.0, 1e4), "friction force after long travel, F_c"),
         Parameter::scalar(
             "presliding_length",
             "m",
             &[3e-4],
             (1e-5, 5e-3),
-            "travel in which the force approaches its level by a factor e, z_0",
+            "presliding displacement: travel over which the difference to F_c falls by a factor e, z_0",
         ),
         Parameter::scalar(
             "presliding_power",
             "-",
             &[1.0],
             (1.0, 10.0),
-            "1: slips from the first (Dahl); larger: bends elastically before it slips, n",
+            "exponent of the slip, n; 1: slip from the start (Dahl), larger: elastic deflection before slip",
         ),
         Parameter::choice(
             "presliding_return",
             &["slips", "elastic"],
-            "after a reversal a bent contact slips at once, or first springs back",
+            "unloading after a reversal: with slip, or elastic",
         ),
         Parameter::scalar("presliding_creep", "m/s", &[1e-9], (1e-9, 0.1), "speed below which the contact creeps, v_c"),
     ];

@@ -12,41 +12,47 @@ use crate::schema::{Describe, Parameter, View};
 pub struct ReboundStop(EndStop);
 
 impl Describe for ReboundStop {
-    const MEANING: &'static str = "stop at the end of the rebound stroke, rubber or hydraulic";
+    const MEANING: &'static str = "rebound stop at the end of the rebound stroke, rubber or hydraulic";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar(
             "rebound_stop_clearance",
             "m",
             &[0.05],
             (0.0, 1.0),
-            "extension from x = 0 at which the stop is met",
+            "extension from x = 0 to first contact with the stop",
         ),
-        Parameter::scalar("rebound_stop_stiffness", "N/m", &[100000.0], (0.0, 1e7), "stiffness at first contact"),
+        Parameter::scalar(
+            "rebound_stop_stiffness",
+            "N/m",
+            &[100000.0],
+            (0.0, 1e7),
+            "stiffness of the stop at first contact",
+        ),
         Parameter::scalar(
             "rebound_stop_progression",
             "m",
             &[0.02],
             (1e-3, 1.0),
-            "depth at which the spring has twice the force of a straight one",
+            "deflection of the stop at which its spring force is twice the linear force",
         ),
         Parameter::scalar(
             "rebound_stop_loss",
             "-",
             &[0.15],
             (0.0, 0.9),
-            "share of the spring force that is lost on the way in and again on the way out",
+            "fraction of the spring force lost on loading, and again on unloading",
         ),
         Parameter::scalar(
             "rebound_stop_damping",
             "N s/m",
             &[0.0],
             (0.0, 1e6),
-            "hydraulic damping on the way in, at the depth of the progression",
+            "hydraulic damping coefficient on loading, at the deflection of the progression",
         ),
         Parameter::choice(
             "rebound_stop_flow",
             &["gap", "orifice"],
-            "hydraulic force with speed, or with its square (1 m/s alike)",
+            "hydraulic force proportional to the speed (gap) or to its square (orifice), equal at 1 m/s",
         ),
     ];
 }

@@ -28,17 +28,21 @@ pub struct SeriesCompliance {
 }
 
 impl Describe for SeriesCompliance {
-    const MEANING: &'static str =
-        "series spring and damper with the internal mass (compressibility of gas, oil and mount)";
+    const MEANING: &'static str = "series spring and damper with the internal mass: compliance of gas, oil and mounts";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar("series_stiffness", "N/m", &[3.0e6], (1e4, 1e8), "stiffness of the series spring, k_s"),
-        Parameter::scalar("series_damping", "N s/m", &[200.0], (0.0, 1e5), "damping beside the series spring, c_s"),
-        Parameter::scalar("internal_mass", "kg", &[0.5], (0.005, 20.0), "moving mass of rod, oil and gas, m"),
+        Parameter::scalar(
+            "series_damping",
+            "N s/m",
+            &[200.0],
+            (0.0, 1e5),
+            "damping coefficient parallel to the series spring, c_s",
+        ),
+        Parameter::scalar("internal_mass", "kg", &[0.5], (0.005, 20.0), "internal moving mass of rod, oil and gas, m"),
         Parameter::choice(
             "series_load",
             &["hydraulic", "whole"],
-            "what the series spring carries: the hydraulic force and the springs \
-             on the mass, or friction and gas force too, as an eye or a mount does",
+            "forces that the series spring carries: hydraulic and parallel spring force, or friction and gas force as well (eye or mount)",
         ),
     ];
 }

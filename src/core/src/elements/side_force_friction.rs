@@ -17,10 +17,22 @@ pub struct SideForceFriction {
 }
 
 impl Describe for SideForceFriction {
-    const MEANING: &'static str = "dry friction proportional to side force";
+    const MEANING: &'static str = "dry friction proportional to the side force on the rod";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::scalar("side_force_coefficient", "-", &[0.05], (0.0, 2.0), "friction per side force, k_avg"),
-        Parameter::scalar("side_force_steepness", "s/m", &[2000.0], (1.0, 1e5), "steepness of the change of sign, K"),
+        Parameter::scalar(
+            "side_force_coefficient",
+            "-",
+            &[0.05],
+            (0.0, 2.0),
+            "friction coefficient: friction force over side force, k_avg",
+        ),
+        Parameter::scalar(
+            "side_force_steepness",
+            "s/m",
+            &[2000.0],
+            (1.0, 1e5),
+            "steepness of the sign change at zero velocity, K",
+        ),
     ];
 }
 

@@ -55,40 +55,52 @@ pub enum StribeckFriction {
 }
 
 impl Describe for StribeckFriction {
-    const MEANING: &'static str = "dry friction with a break-away peak";
+    const MEANING: &'static str = "Stribeck friction: dry friction with a breakaway peak";
     const PARAMETERS: &'static [Parameter] = &[
-        Parameter::choice("stribeck_form", &["simplified", "full"], "which of the two Stribeck forms"),
+        Parameter::choice("stribeck_form", &["simplified", "full"], "form of the Stribeck curve"),
+        Parameter::scalar("stribeck_breakaway_force", "N", &[50.0], (0.0, 1e4), "breakaway force (peak), F_brk or F_t"),
         Parameter::scalar(
-            "stribeck_breakaway_force",
+            "stribeck_coulomb_force",
             "N",
-            &[50.0],
+            &[40.0],
             (0.0, 1e4),
-            "peak (transition) force, F_brk or F_t",
+            "Coulomb friction force beyond the peak, F_c or F_s",
         ),
-        Parameter::scalar("stribeck_coulomb_force", "N", &[40.0], (0.0, 1e4), "level after the peak, F_c or F_s"),
         Parameter::scalar(
             "stribeck_breakaway_velocity",
             "m/s",
             &[0.005],
             (1e-5, 1.0),
-            "velocity of the peak, v_brk or V_fs",
+            "velocity at the breakaway peak, v_brk or V_fs",
         ),
         Parameter::scalar(
             "stribeck_velocity",
             "m/s",
             &[0.01],
             (1e-5, 5.0),
-            "full form: velocity scale of the fall, V_s",
+            "full form: Stribeck velocity, the scale of the decrease after the peak, V_s",
         ),
         Parameter::scalar(
             "stribeck_fall",
             "-",
             &[2.0],
             (1.0, 4.0),
-            "full form: exponent of the fall, a (1 Tustin, 2 Gauss)",
+            "full form: exponent of the decrease after the peak, a (1 Tustin, 2 Gauss)",
         ),
-        Parameter::scalar("stribeck_rise", "-", &[3.0], (0.1, 20.0), "full form: how near F_t the peak comes, c"),
-        Parameter::scalar("stribeck_rise_power", "-", &[1.0], (1.0, 4.0), "full form: exponent of the rise, d"),
+        Parameter::scalar(
+            "stribeck_rise",
+            "-",
+            &[3.0],
+            (0.1, 20.0),
+            "full form: steepness of the rise to the peak, c; large: the peak reaches F_t",
+        ),
+        Parameter::scalar(
+            "stribeck_rise_power",
+            "-",
+            &[1.0],
+            (1.0, 4.0),
+            "full form: exponent of the rise to the peak, d",
+        ),
     ];
 }
 

@@ -41,25 +41,50 @@ const LARGEST: f64 = 3.0;
 const STIFFEST: f64 = 0.05;
 
 impl Describe for TemperatureFade {
-    const MEANING: &'static str = "damping that falls with the temperature of the oil, measured or by its own heat";
+    const MEANING: &'static str =
+        "temperature fade: damping that decreases with the oil temperature, measured or from self-heating";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::choice(
             "fade_source",
             &["measured", "self_heating"],
-            "temperature as given, or as the surroundings' plus the rise by the damper's own heat",
+            "oil temperature: measured, or ambient temperature plus computed self-heating",
         ),
-        Parameter::scalar("fade_coefficient", "1/K", &[0.003], (-0.02, 0.2), "fall of the damping per kelvin, alpha"),
-        Parameter::scalar("fade_reference", "degC", &[20.0], (-60.0, 200.0), "temperature of the FV curve, T_0"),
-        Parameter::scalar("heat_capacity", "J/K", &[1500.0], (50.0, 1e5), "heat capacity of oil and body, C_h")
-            .in_form("fade_source", &["self_heating"]),
-        Parameter::scalar("heat_transfer", "W/K", &[6.0], (0.0, 1e3), "heat given to the surroundings per kelvin, h")
-            .in_form("fade_source", &["self_heating"]),
+        Parameter::scalar(
+            "fade_coefficient",
+            "1/K",
+            &[0.003],
+            (-0.02, 0.2),
+            "relative decrease of the damping per kelvin, alpha",
+        ),
+        Parameter::scalar(
+            "fade_reference",
+            "degC",
+            &[20.0],
+            (-60.0, 200.0),
+            "reference temperature of the FV curve, T_0",
+        ),
+        Parameter::scalar(
+            "heat_capacity",
+            "J/K",
+            &[1500.0],
+            (50.0, 1e5),
+            "heat capacity of the oil and the damper body, C_h",
+        )
+        .in_form("fade_source", &["self_heating"]),
+        Parameter::scalar(
+            "heat_transfer",
+            "W/K",
+            &[6.0],
+            (0.0, 1e3),
+            "heat flow to the surroundings per kelvin of temperature difference, h",
+        )
+        .in_form("fade_source", &["self_heating"]),
         Parameter::scalar(
             "fade_laminar_force",
             "N",
             &[ALL],
             (10.0, ALL),
-            "force at which half of it still is laminar and fades, F_l; large: all of it fades",
+            "FV force of which half is laminar and fades, F_l; large: all of it fades",
         )
         .none_at_most(),
         Parameter::scalar(
@@ -67,7 +92,7 @@ impl Describe for TemperatureFade {
             "1/K",
             &[0.0],
             (0.0, 0.03),
-            "how soon the fall per kelvin gets smaller, kappa; 0: exponential, 1/(T_0 + 95 degC): Vogel's law",
+            "temperature dependence of the decrease, kappa; 0: exponential law, 1/(T_0 + 95 degC): Vogel's law",
         ),
     ];
 }

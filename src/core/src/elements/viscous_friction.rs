@@ -15,9 +15,14 @@ pub struct ViscousFriction {
 }
 
 impl Describe for ViscousFriction {
-    const MEANING: &'static str = "viscous friction, F_v v|v|";
-    const PARAMETERS: &'static [Parameter] =
-        &[Parameter::scalar("viscous_coefficient", "N s^2/m^2", &[10.0], (0.0, 1e5), "F_v of F_v v|v|")];
+    const MEANING: &'static str = "viscous friction, quadratic in the velocity, F_v v|v|";
+    const PARAMETERS: &'static [Parameter] = &[Parameter::scalar(
+        "viscous_coefficient",
+        "N s^2/m^2",
+        &[10.0],
+        (0.0, 1e5),
+        "friction coefficient, F_v of F_v v|v|",
+    )];
 }
 
 impl Prepare for ViscousFriction {

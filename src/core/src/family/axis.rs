@@ -43,7 +43,7 @@ pub const ENTRIES: [Entry; 8] = [
         "setting_start",
         "*",
         (-LARGEST_SETTING, LARGEST_SETTING),
-        "setting where the host gives none, and at the start; the first of the grid where it is not given",
+        "initial setting, and setting if the host provides none; default: first value of the grid",
     ),
     entry("setting_time_up", "s", (0.0, 100.0), "time constant of the actuator while the setting rises; 0: none"),
     entry("setting_time_down", "s", (0.0, 100.0), "time constant of the actuator while the setting falls; 0: none"),
@@ -54,13 +54,13 @@ pub const ENTRIES: [Entry; 8] = [
         "setting_hysteresis",
         "*",
         (0.0, LARGEST_SETTING),
-        "how far the valve stands behind the setting after a long way up, and ahead of it after one down",
+        "half width of the hysteresis: lag of the valve behind a setting that has risen or fallen over a long range",
     ),
     entry(
         "setting_hysteresis_rest",
         "-",
         (-1.0, 1.0),
-        "where in the hysteresis the numbers over the setting apply: 1 if settings were reached from below, -1 from above",
+        "state of the hysteresis at which the numbers of the grid apply: 1 if settings were reached from below, -1 from above",
     ),
 ];
 

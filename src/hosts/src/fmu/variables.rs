@@ -140,8 +140,8 @@ pub fn variables(corners: &[Definition], scales: Scales, inputs: Inputs) -> Vec<
         parameter: None,
         start: Some(inputs.start_value()),
         unit: "-".into(),
-        meaning: "how inputs run between two instants at which the importer sets them: hold, extrapolate along the line through \
-                  the last two, or automatic (held in co-simulation, extrapolated in model exchange)"
+        meaning: "inputs between two instants at which the importer sets them: constant (hold), extrapolated along the line through \
+                  the last two, or automatic (constant in co-simulation, extrapolated in model exchange)"
             .into(),
         nominal: None,
     });
@@ -221,7 +221,7 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             in_out("velocity", "Damper_Jounce_Rate"),
             Some(0.0),
             units.velocity(),
-            format!("its velocity, {motion}{of_velocity}"),
+            format!("velocity of the damper, {motion}{of_velocity}"),
         ),
         (Kind::SideForce, in_out("side_force", "Damper_Side_Force"), Some(0.0), "N".into(), "side force on the rod".into()),
         (
@@ -237,21 +237,21 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             in_out("d_force_d_displacement", "Damper_Force_by_Jounce"),
             None,
             units.stiffness(),
-            format!("change of force per change of displacement{}", of_slope("N/m")),
+            format!("partial derivative of the force with respect to the displacement{}", of_slope("N/m")),
         ),
         (
             Kind::DForceDVelocity,
             in_out("d_force_d_velocity", "Damper_Force_by_Jounce_Rate"),
             None,
             units.damping(),
-            format!("change of force per change of velocity{}", of_slope("N s/m")),
+            format!("partial derivative of the force with respect to the velocity{}", of_slope("N s/m")),
         ),
         (
             Kind::Status,
             in_out("status", "Damper_Status"),
             None,
             "-".into(),
-            "0, warning bits of dashpot.h (1: faster than the identified curve), or 65536: input refused, force held"
+            "0, warning bits of dashpot.h (1: faster than the identified curve), or 65536: input rejected, force unchanged"
                 .into(),
         ),
         (
@@ -289,14 +289,14 @@ fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
             inner("initial_position"),
             Some(0.0),
             "m".into(),
-            "extension at the start, from the rig's zero, where the displacement is not given".into(),
+            "extension at the start, from the rig's zero, if the displacement is no input".into(),
         ),
         (
             Kind::SpeedMargin,
             inner("speed_margin"),
             None,
             "m/s".into(),
-            "how far the damper's velocity is from the end of the identified curve; negative outside; 1 where the curve has no end"
+            "distance of the damper's velocity to the end of the identified curve; negative outside; 1 if the curve has no end"
                 .into(),
         ),
     ];
@@ -399,10 +399,10 @@ fn states(corner: usize, four: bool, damper: &Definition) -> Vec<Variable> {
         _ => format!("internal[{}]", k - FIRST_INTERNAL + 1),
     };
     let meaning = |k: usize| match k {
-        TRAVEL => "displacement integrated from the velocity; at rest where the displacement is given".to_owned(),
-        DEFLECTION => "displacement of the internal mass relative to the driven end".to_owned(),
+        TRAVEL => "displacement integrated from the velocity; constant if the displacement is an input".to_owned(),
+        DEFLECTION => "displacement of the internal mass relative to the moving end".to_owned(),
         MASS_VELOCITY => "velocity of the internal mass".to_owned(),
-        _ => format!("private state {} of the elements", k - FIRST_INTERNAL + 1),
+        _ => format!("internal state {} of the elements", k - FIRST_INTERNAL + 1),
     };
     let one = |k: usize, rate: bool| Variable {
         kind: if rate { Kind::Rate } else { Kind::State },

@@ -106,14 +106,14 @@ const STEADY: f64 = 1e-12;
 const SHRINKS: [f64; 2] = [0.06, 2e-3];
 
 impl Describe for ValveHysteresis {
-    const MEANING: &'static str = "blow-off valve that opens late and closes late: more force while speed rises";
+    const MEANING: &'static str = "blow-off valve that opens and closes with a lag: higher force while the speed rises";
     const PARAMETERS: &'static [Parameter] = &[
         Parameter::scalar(
             "valve_hysteresis_share",
             "-",
             &[0.15],
             (0.0, 1.0),
-            "opening form: share of the force that lateness adds, eta",
+            "opening form: largest force that the lag adds, as a fraction of the FV force, eta",
         )
         .in_form("valve_form", &["opening"]),
         Parameter::scalar("valve_opening_force", "N", &[600.0], (1.0, 1e5), "force at which the valve opens"),
@@ -122,7 +122,7 @@ impl Describe for ValveHysteresis {
             "-",
             &[0.85],
             (0.3, 1.0),
-            "opening form: force at which it closes over that at which it opens; 1: the time alone makes it late",
+            "opening form: ratio of the closing force to the opening force; 1: lag by the time constant alone",
         )
         .in_form("valve_form", &["opening"]),
         Parameter::scalar(
@@ -130,17 +130,23 @@ impl Describe for ValveHysteresis {
             "s",
             &[2e-3],
             (1e-4, 1.0),
-            "time in which it moves, tau; spool: over 2 pi that of its swing",
+            "time constant of the valve motion, tau; spool form: natural period over 2 pi",
         ),
-        Parameter::scalar("valve_width", "N", &[100.0], (10.0, 1e5), "force over which it opens, b"),
+        Parameter::scalar("valve_width", "N", &[100.0], (10.0, 1e5), "force range over which the valve opens, b"),
         Parameter::choice(
             "valve_form",
             &["opening", "play", "spool"],
-            "one opening that comes and goes late, or a valve that lags at every opening by friction or by its mass",
+            "one opening that lags, or a valve whose position lags at every force, by friction or by its mass",
         ),
-        Parameter::scalar("valve_play", "N", &[0.0], (0.0, 1e4), "play form: force that the valve does not follow, P")
-            .in_form("valve_form", &["play"]),
-        Parameter::scalar("valve_damping", "-", &[0.7], (0.05, 10.0), "spool form: damping ratio, zeta")
+        Parameter::scalar(
+            "valve_play",
+            "N",
+            &[0.0],
+            (0.0, 1e4),
+            "play form: change of force that does not move the valve (friction), P",
+        )
+        .in_form("valve_form", &["play"]),
+        Parameter::scalar("valve_damping", "-", &[0.7], (0.05, 10.0), "spool form: damping ratio of the valve, zeta")
             .in_form("valve_form", &["spool"]),
     ];
 }
