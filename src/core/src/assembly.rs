@@ -1,6 +1,6 @@
 //! The prepared elements of one model, and the sums of their forces by position in the model.
 
-use crate::element::{Force, Motion, Prepare, Response, StateResponse, StateVisitor, StatefulForce};
+use crate::element::{Force, OperatingPoint, Prepare, Response, StateResponse, StateVisitor, StatefulForce};
 use crate::family::lending::{Numbers, kept, lent_or_renewed, numbers_at_setting};
 use crate::family::section::{Lent, Section};
 use crate::fault::{Fault, NO_PARAMETER, Reason};
@@ -131,7 +131,7 @@ macro_rules! assembled {
                 )*
                 let mut steepest = 0.0;
                 for displacement in places {
-                    let at = Motion { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
+                    let at = OperatingPoint { displacement, velocity: 0.0, side_force: 0.0, temperature: 20.0 };
                     let derivative = 0.0 $(+ $inner.force(&at).d_force_d_x)*;
                     steepest = max(derivative, steepest);
                 }
@@ -234,7 +234,7 @@ macro_rules! assembled {
             /// Sums all forces on the internal mass of elements without internal state, except the hydraulic and the
             /// series force.
             #[inline(always)]
-            pub fn on_the_mass(&self, at: &Motion) -> Response {
+            pub fn on_the_mass(&self, at: &OperatingPoint) -> Response {
                 let mut sum = self.inner(at);
                 if self.carries_whole() {
                     let behind = self.outer(at);
@@ -248,19 +248,19 @@ macro_rules! assembled {
             /// the code cost more time than the call. Only the plain step calls [`Elements::friction`] and
             /// [`Elements::preload`] directly.
             #[inline(never)]
-            pub fn outer(&self, at: &Motion) -> Outer {
+            pub fn outer(&self, at: &OperatingPoint) -> Outer {
                 Outer { friction: self.friction(at), preload: self.preload(at) }
             }
 
             /// Sums friction and preload parallel to the whole damper; zero if they act on the mass.
             #[inline(always)]
-            pub fn parallel(&self, at: &Motion) -> Outer {
+            pub fn parallel(&self, at: &OperatingPoint) -> Outer {
                 if self.carries_whole() { Outer::NONE } else { self.outer(at) }
             }
 
             /// Sums the forces of the inner elements, which always act on the internal mass.
             #[inline(always)]
-            pub fn inner(&self, at: &Motion) -> Response {
+            pub fn inner(&self, at: &OperatingPoint) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$inner) { sum.add(self.$inner.force(at)); })*
                 sum
@@ -275,7 +275,7 @@ macro_rules! assembled {
 
             /// Sums the forces of the inner elements; requires that [`Elements::is_nonlinear`] is false.
             #[inline(always)]
-            pub fn linear_force(&self, at: &Motion) -> Response {
+            pub fn linear_force(&self, at: &OperatingPoint) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$inner) { sum.add(self.$inner.linear_force(at)); })*
                 sum
@@ -284,7 +284,7 @@ macro_rules! assembled {
             /// Sums the forces of the inner elements if all of them have a short form ([`Force::at_once`]); otherwise
             /// returns `None`.
             #[inline(always)]
-            pub fn inner_at_once(&self, at: &Motion) -> Option<Response> {
+            pub fn inner_at_once(&self, at: &OperatingPoint) -> Option<Response> {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$inner) { sum.add(self.$inner.at_once(at)?); })*
                 Some(sum)
@@ -292,7 +292,7 @@ macro_rules! assembled {
 
             /// Sums the forces of the friction elements without internal state.
             #[inline(always)]
-            pub fn friction(&self, at: &Motion) -> Response {
+            pub fn friction(&self, at: &OperatingPoint) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$friction) { sum.add(self.$friction.force(at)); })*
                 sum
@@ -300,7 +300,7 @@ macro_rules! assembled {
 
             /// Sums the friction if all its elements have a short form ([`Force::at_once`]); otherwise returns `None`.
             #[inline(always)]
-            pub fn friction_at_once(&self, at: &Motion) -> Option<Response> {
+            pub fn friction_at_once(&self, at: &OperatingPoint) -> Option<Response> {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$friction) { sum.add(self.$friction.at_once(at)?); })*
                 Some(sum)
@@ -308,7 +308,7 @@ macro_rules! assembled {
 
             /// Sums the preload, which is the force of the gas elements without internal state.
             #[inline(always)]
-            pub fn preload(&self, at: &Motion) -> Response {
+            pub fn preload(&self, at: &OperatingPoint) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$preload) { sum.add(self.$preload.force(at)); })*
                 sum
@@ -316,14 +316,14 @@ macro_rules! assembled {
 
             /// Sums the preload if all its elements have a short form ([`Force::at_once`]); otherwise returns `None`.
             #[inline(always)]
-            pub fn preload_at_once(&self, at: &Motion) -> Option<Response> {
+            pub fn preload_at_once(&self, at: &OperatingPoint) -> Option<Response> {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$preload) { sum.add(self.$preload.at_once(at)?); })*
                 Some(sum)
             }
 
             /// Sums the forces of the stops at the ends of the stroke.
-            pub fn stops(&self, at: &Motion) -> Response {
+            pub fn stops(&self, at: &OperatingPoint) -> Response {
                 let mut sum = Response::NONE;
                 $(if self.has(GroupIndex::$stop) { sum.add(self.$stop.force(at)); })*
                 sum
@@ -428,7 +428,7 @@ impl<T: Tables> Elements<T> {
     /// Moves friction and gas force from the spring force in `output` to their own outputs, if they act on the internal
     /// mass.
     #[inline(always)]
-    pub(crate) fn hand_out(&self, output: &mut Output, mass: &Motion, internal: &[f64; MAX_INTERNAL]) {
+    pub(crate) fn hand_out(&self, output: &mut Output, mass: &OperatingPoint, internal: &[f64; MAX_INTERNAL]) {
         if self.carries_whole() {
             let Outer { friction, preload } = self.outer(mass);
             output.friction_force = friction.force;
@@ -446,7 +446,7 @@ impl<T: Tables> Elements<T> {
     #[inline(always)]
     pub(crate) fn each_on_mass(
         &self,
-        mass: &Motion,
+        mass: &OperatingPoint,
         internal: &[f64; MAX_INTERNAL],
         mut visit: impl FnMut(&dyn StatefulForce, StateResponse),
     ) {
@@ -462,7 +462,7 @@ impl<T: Tables> Elements<T> {
 
     /// Sums the forces of the elements that act on the internal mass and have an internal state, at given states.
     #[inline(always)]
-    pub(crate) fn states_on_mass(&self, mass: &Motion, internal: &[f64; MAX_INTERNAL]) -> Response {
+    pub(crate) fn states_on_mass(&self, mass: &OperatingPoint, internal: &[f64; MAX_INTERNAL]) -> Response {
         let mut sum = Response::NONE;
         self.each_on_mass(mass, internal, |_, response| {
             sum.add(Response {

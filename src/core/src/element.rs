@@ -8,7 +8,7 @@ use crate::schema::{Describe, View};
 
 /// The motion, the side force and the temperature that act on an element.
 #[derive(Clone, Copy, Debug)]
-pub struct Motion {
+pub struct OperatingPoint {
     /// Displacement, m, extension positive.
     pub displacement: f64,
     /// Velocity, m/s, extension positive.
@@ -135,17 +135,17 @@ pub trait Prepare: Describe + Sized {
     }
 }
 
-/// An element whose force depends on the present [`Motion`] alone, without internal state.
+/// An element whose force depends on the present [`OperatingPoint`] alone, without internal state.
 pub trait Force {
     /// Computes the force, N, at the motion `at`, with its derivatives with respect to displacement and velocity.
-    fn force(&self, at: &Motion) -> Response;
+    fn force(&self, at: &OperatingPoint) -> Response;
 
     /// Computes the result of [`Force::force`], equal bit by bit, if a few operations suffice; returns `None`
     /// otherwise.
     ///
     /// This short form suffices for most steps of most models, so [`Force::force`] rarely runs.
     #[inline(always)]
-    fn at_once(&self, _: &Motion) -> Option<Response> {
+    fn at_once(&self, _: &OperatingPoint) -> Option<Response> {
         None
     }
 
@@ -157,7 +157,7 @@ pub trait Force {
 
     /// Computes the result of [`Force::force`]; requires that [`Force::is_nonlinear`] is false.
     #[inline(always)]
-    fn linear_force(&self, at: &Motion) -> Response {
+    fn linear_force(&self, at: &OperatingPoint) -> Response {
         self.force(at)
     }
 }
@@ -180,21 +180,21 @@ pub trait StatefulForce {
         ForceComponent::Total
     }
     /// Computes force, state derivative and their partial derivatives at the motion `at` and the internal state `z`.
-    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse;
+    fn evaluate(&self, at: &OperatingPoint, z: f64) -> StateResponse;
     /// Computes the internal state z at which dz/dt is 0 under the constant motion `at`.
-    fn equilibrium(&self, at: &Motion) -> f64;
+    fn equilibrium(&self, at: &OperatingPoint) -> f64;
 
     /// Computes the steady state under the motion `at` of an element that had the internal state `_z` at displacement
     /// `_from`, m.
     ///
     /// It differs from [`StatefulForce::equilibrium`] if [`StatefulForce::is_path_dependent`] is true.
-    fn equilibrium_from(&self, _from: f64, _z: f64, at: &Motion) -> f64 {
+    fn equilibrium_from(&self, _from: f64, _z: f64, at: &OperatingPoint) -> f64 {
         self.equilibrium(at)
     }
 
     /// Returns whether the steady state depends on the displacements before it, as at zero velocity, instead of the
     /// velocity.
-    fn is_path_dependent(&self, _at: &Motion) -> bool {
+    fn is_path_dependent(&self, _at: &OperatingPoint) -> bool {
         false
     }
 

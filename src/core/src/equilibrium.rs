@@ -1,6 +1,6 @@
 //! The equilibrium: state and force after displacement and velocity have been constant for a long time.
 
-use crate::element::Motion;
+use crate::element::OperatingPoint;
 use crate::input::Input;
 use crate::model::Model;
 use crate::paths;
@@ -73,19 +73,19 @@ impl<T: Tables> Model<T> {
         let x = input.displacement.unwrap_or(from.displacement);
         let v = input.velocity;
         let e = &self.elements;
-        let motion = |x: f64| Motion {
+        let motion = |x: f64| OperatingPoint {
             displacement: x,
             velocity: v,
             side_force: input.side_force,
             temperature: input.temperature,
         };
         let mut internal = [0.0; MAX_INTERNAL];
-        let mut settle = |on_mass: bool, from_x: f64, at: &Motion| {
+        let mut settle = |on_mass: bool, from_x: f64, at: &OperatingPoint| {
             e.each_stateful(|place, element| {
                 if let Some((z, before)) = internal.get_mut(place).zip(from.internal.get(place))
                     && e.has_on_mass(element) == on_mass
                 {
-                    let kept = kept.filter(|_| element.is_path_dependent(&Motion { velocity: 0.0, ..*at }));
+                    let kept = kept.filter(|_| element.is_path_dependent(&OperatingPoint { velocity: 0.0, ..*at }));
                     *z = match kept.and_then(|kept| kept.internal.get(place)) {
                         Some(kept) => *kept,
                         None => element.equilibrium_from(from_x, *before, at),
@@ -152,14 +152,14 @@ impl<T: Tables> Model<T> {
     pub(crate) fn equilibrium_output_from(&self, from: &State, input: &Input) -> Output {
         let state = self.equilibrium_from(from, input);
         let mut output = crate::evaluate::force_of(self, &state, input);
-        let at = Motion {
+        let at = OperatingPoint {
             displacement: state.mass_displacement,
             velocity: input.velocity,
             side_force: input.side_force,
             temperature: input.temperature,
         };
         let e = &self.elements;
-        let outer = Motion { displacement: state.displacement, ..at };
+        let outer = OperatingPoint { displacement: state.displacement, ..at };
         if e.has_paths() {
             // These central differences of the whole force include the parallel elements with internal states, whose
             // derivatives are therefore not added again below.

@@ -3,7 +3,7 @@
 pub(crate) mod paths;
 
 use crate::assembly::Outer;
-use crate::element::Motion;
+use crate::element::OperatingPoint;
 use crate::input::Input;
 use crate::model::Model;
 use crate::state::MAX_INTERNAL;
@@ -48,8 +48,8 @@ impl Partials {
 }
 
 #[inline(always)]
-fn at(x: f64, v: f64, input: &Input) -> Motion {
-    Motion { displacement: x, velocity: v, side_force: input.side_force, temperature: input.temperature }
+fn at(x: f64, v: f64, input: &Input) -> OperatingPoint {
+    OperatingPoint { displacement: x, velocity: v, side_force: input.side_force, temperature: input.temperature }
 }
 
 /// Returns the displacement of the moving end from the input or, if missing there, from the state.
@@ -121,7 +121,7 @@ fn force_with(model: &Model<impl Tables>, state: &State, input: &Input, further:
 }
 
 /// Adds the forces of the parallel elements with internal states to `output`.
-fn memories(model: &Model<impl Tables>, state: &State, outer: &Motion, output: &mut Output) {
+fn memories(model: &Model<impl Tables>, state: &State, outer: &OperatingPoint, output: &mut Output) {
     let e = &model.elements;
     e.each_stateful(|place, element| {
         if e.has_on_mass(element) {

@@ -171,10 +171,7 @@ pub fn read_checked(text: &[u8], params: &mut Params, axis: &mut Axis) -> Result
 /// Finds the grid of the setting in a text. Returns its values, their number, and its line. The line is `None` if the
 /// text names no setting, or if another line before it is not `name = value`.
 fn grid_of(text: &[u8]) -> Result<([f64; MAX_GRID], usize, Option<u32>), ReadError> {
-    let mut reader = Reader { rest: text, line: 1, announced: false };
-    if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
-        reader.rest = tail;
-    }
+    let mut reader = Reader::new(text);
     let mut grid = [0.0; MAX_GRID];
     loop {
         reader.blank(true);
@@ -216,11 +213,7 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
     let mut seen_of_setting = [false; ENTRIES.len() + 3];
     let (mut has_format, mut has_elements) = (false, false);
     let mut varying = 0;
-    let mut reader = Reader { rest: text, line: 1, announced: false };
-    // Some editors begin a file with a byte-order mark.
-    if let Some(tail) = reader.rest.strip_prefix(b"\xef\xbb\xbf") {
-        reader.rest = tail;
-    }
+    let mut reader = Reader::new(text);
     loop {
         reader.blank(true);
         let line = reader.line;
@@ -238,10 +231,7 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
         reader.blank(false);
         match name {
             b"format" => {
-                let Some(Value::Number(number)) = reader.value() else { return Err(at(LineProblem::Format)) };
-                if number != FORMAT {
-                    return Err(at(LineProblem::Format));
-                }
+                reader.format().map_err(at)?;
                 if has_format {
                     return Err(at(LineProblem::Repeated));
                 }
@@ -252,17 +242,7 @@ fn read_into(text: &[u8], read: &mut Params, mut axis: Option<&mut Axis>) -> Res
                     return Err(at(LineProblem::Repeated));
                 }
                 has_elements = true;
-                reader.list(|value, line| {
-                    let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
-                    let Value::Word(word) = value else { return Err(at(LineProblem::Value)) };
-                    let named = Element::all().find(|element| element.name().as_bytes() == word);
-                    let element = named.ok_or(at(LineProblem::UnknownElement))?;
-                    if read.is_on(element) {
-                        return Err(at(LineProblem::Repeated));
-                    }
-                    read.enable(element, true);
-                    Ok(())
-                })?;
+                reader.elements(read)?;
             }
             _ if name == b"setting" || name.starts_with(b"setting_") => {
                 let index = match name {
@@ -406,6 +386,35 @@ fn can_vary_list(row: Row) -> bool {
 }
 
 impl<'a> Reader<'a> {
+    /// Begins to read a text. Some editors begin a file with a byte-order mark, which is skipped.
+    fn new(text: &'a [u8]) -> Reader<'a> {
+        let rest = text.strip_prefix(b"\xef\xbb\xbf").unwrap_or(text);
+        Reader { rest, line: 1, announced: false }
+    }
+
+    /// Reads the format and checks it.
+    fn format(&mut self) -> Result<(), LineProblem> {
+        match self.value() {
+            Some(Value::Number(number)) if number == FORMAT => Ok(()),
+            _ => Err(LineProblem::Format),
+        }
+    }
+
+    /// Reads the list of elements and switches them on.
+    fn elements(&mut self, read: &mut Params) -> Result<(), ReadError> {
+        self.list(|value, line| {
+            let at = |problem| ReadError { line, parameter: NO_PARAMETER, problem };
+            let Value::Word(word) = value else { return Err(at(LineProblem::Value)) };
+            let named = Element::all().find(|element| element.name().as_bytes() == word);
+            let element = named.ok_or(at(LineProblem::UnknownElement))?;
+            if read.is_on(element) {
+                return Err(at(LineProblem::Repeated));
+            }
+            read.enable(element, true);
+            Ok(())
+        })
+    }
+
     /// Returns whether the next value is given over the settings. It is then a list for a number or a choice, and a
     /// list of lists for a list. The number of entries is not checked.
     fn is_over_setting(&self, row: Row) -> bool {

@@ -30,7 +30,7 @@ mod reach;
 mod tableau;
 
 use crate::assembly::{Elements, Outer};
-use crate::element::{Motion, Response};
+use crate::element::{OperatingPoint, Response};
 use crate::input::{Input, Path};
 pub use crate::integration::{Integration, Method};
 use crate::integration::{LONGEST, SHORTEST};
@@ -288,7 +288,7 @@ fn advance_paths_with(
     let substeps = model.integration.substeps(dt);
     let path = Path::new(state.displacement, state.velocity, to, paths::held(dt));
     let (x, v) = path.end();
-    let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
+    let outer = OperatingPoint { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
     let method = Tableau::for_method(model.integration.method_of(dt, substeps, || stiffer(e, state, v)));
     let side = (to.side_force, to.temperature);
     let drive = paths::Drive { model, path: &path, substeps, side, method };
@@ -298,7 +298,7 @@ fn advance_paths_with(
     let Outer { friction, preload } = e.parallel(&outer);
     output.friction_force = friction.force;
     output.gas_force = preload.force;
-    let mass = Motion { displacement: state.mass_displacement, velocity: state.mass_velocity, ..outer };
+    let mass = OperatingPoint { displacement: state.mass_displacement, velocity: state.mass_velocity, ..outer };
     e.hand_out(output, &mass, &state.internal);
     let mut extras = Response::NONE;
     output.stop_force = 0.0;
@@ -360,7 +360,8 @@ fn cheap_step<const AT_ONCE: bool>(
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let end = path.last();
     // First evaluate and store everything that does not depend on the new motion of the mass.
-    let outer = Motion { displacement: end.x, velocity: end.v, side_force: to.side_force, temperature: to.temperature };
+    let outer =
+        OperatingPoint { displacement: end.x, velocity: end.v, side_force: to.side_force, temperature: to.temperature };
     let before = cheap::Before {
         x: state.mass_displacement,
         v: state.mass_velocity,
@@ -512,7 +513,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
     let path = Path::new(state.displacement, state.velocity, to, dt);
     let (x, v) = path.end();
     let side = (to.side_force, to.temperature);
-    let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
+    let outer = OperatingPoint { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
     let (mut force, mut by_x, mut by_v);
     state.displacement = x;
     state.velocity = v;

@@ -15,7 +15,7 @@ use dashpot_core::step::{Follow, Integration, Method, Stage, advance, advance_pa
 use dashpot_core::{Input, Model, Output, Params, State};
 use dashpot_core::{
     assembly::Elements,
-    element::Motion,
+    element::OperatingPoint,
     parameter::{Acts, Element, Row, acts},
 };
 use dashpot_core::{element, number};
@@ -415,7 +415,7 @@ impl Run {
             if !self.beside.is_empty() {
                 let displacement = state.displacement;
                 let Input { velocity, side_force, temperature, .. } = *input;
-                let at = Motion { displacement, velocity, side_force, temperature };
+                let at = OperatingPoint { displacement, velocity, side_force, temperature };
                 let beside = |m: &Model| m.elements().friction(&at).force + m.elements().preload(&at).force;
                 for b in &self.beside {
                     row[b.column] = (beside(&b.plus) - beside(&b.minus)) * b.per;

@@ -1,8 +1,8 @@
 //! 95 % intervals, the tests from which each parameter was identified, and the parameters that were not identified.
 
 use super::phrases;
-use dashpot_core::parameter::Number;
-use dashpot_core::{list, number};
+use dashpot_core::parameter::{List, Number};
+use dashpot_core::{Params, list, number};
 use dashpot_estimation::curve_form;
 use dashpot_estimation::deviations::sandwich;
 use dashpot_estimation::first_guess::SLOW;
@@ -123,114 +123,168 @@ impl Known {
 
     /// Computes estimates of all numbers of a hypothesis at `theta`. `residual` is the weighted residual of the tests at `theta`.
     pub fn estimates(&self, hypothesis: &Hypothesis, theta: &[f64], tests: &[Test], residual: &[f64]) -> Vec<Estimate> {
-        let Known { covariance: cov, determined, sources } = self;
         let params = hypothesis.params(theta);
-        let misses = curve_form::misses(params.list(list!("fv_velocity")), tests, residual);
-        let top = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.top));
-        let stroke = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.amplitude));
-        let speed = tests.iter().fold(0.0f64, |m, t| m.max(t.segment.peak_velocity));
-        let scale = Scale::from_params(&hypothesis.base);
         let model = |number: &dashpot_estimation::hypothesis::Number| match &number.free {
             Free::Model(unknown) => Some(*unknown),
             _ => None,
         };
-        let unknowns: Vec<Option<Unknown>> = hypothesis.numbers.iter().map(model).collect();
-        let mut list = Vec::new();
-        for (i, unknown) in unknowns.iter().enumerate().filter_map(|(i, unknown)| Some((i, unknown.as_ref()?))) {
-            let sd = cov[(i, i)].max(0.0).sqrt();
-            let (low, high) = hypothesis.numbers[i].bounds;
-            let at_bound = theta[i] <= low + 1e-9 * (1.0 + low.abs()) || theta[i] >= high - 1e-9 * (1.0 + high.abs());
-            match unknown {
-                Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => {
-                    let value = params.number(*number);
-                    let (a, b) = match unknown {
-                        Unknown::Log(_) => (value * libm::exp(-Z * sd), value * libm::exp(Z * sd)),
-                        Unknown::Above(_, below) => {
-                            // The value is the other parameter, `level`, times 1 + fraction. Both `level` and the fraction are uncertain.
-                            let level = params.number(*below);
-                            let k = unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
-                            let factor = 1.0 + theta[i];
-                            let more =
-                                k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
-                            let sd = (level * level * cov[(i, i)] + more).max(0.0).sqrt();
-                            (value - Z * sd, value + Z * sd)
-                        }
-                        _ => (value - Z * sd, value + Z * sd),
-                    };
-                    let half = 0.5 * (b - a);
-                    // A parameter that is almost zero has a large relative uncertainty even if it is well known. Therefore, the force due
-                    // to the half-width also decides.
-                    let force = half * per_unit(*number, stroke, speed);
-                    let identified = determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * top);
-                    let (bound_low, bound_high) = scale.reach(*number);
-                    list.push(Estimate {
-                        name: number.name(),
-                        index: None,
-                        value,
-                        low: identified.then(|| a.max(bound_low)),
-                        high: identified.then(|| b.min(bound_high)),
-                        unit: number.parameter().unit,
-                        from: sources[i].clone(),
-                        standing: match (identified, at_bound) {
-                            (false, _) => Standing::NotIdentified,
-                            // A bound needs no report if it is zero or the default, such as Dahl's exponent of 1.
-                            (true, true) if value != 0.0 && value != number.default() => Standing::AtBound,
-                            _ => Standing::Identified,
-                        },
-                    });
-                }
-                Unknown::Rise { curve, point } => {
-                    let u = params.list(curve.abscissae());
-                    let zero = anchor(u);
-                    // The force at a point is the sum of the force increments from the fixed point of the curve to this point.
-                    let path: Vec<usize> = unknowns
-                        .iter()
-                        .enumerate()
-                        .filter(|(_, other)| match other {
-                            Some(Unknown::Rise { curve: c, point: p }) if c == curve => {
-                                if *point > zero {
-                                    *p > zero && p <= point
-                                } else {
-                                    *p < zero && p >= point
-                                }
-                            }
-                            _ => false,
-                        })
-                        .map(|(k, _)| k)
-                        .collect();
-                    let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
-                    // The uncertainty of a point includes the deviation of the curve from the records near that point.
-                    let miss = if *curve == CurveName::Fv { misses.get(*point).copied().unwrap_or(0.0) } else { 0.0 };
-                    let half = (Z * Z * variance.max(0.0) + miss * miss).sqrt();
-                    let value = params.list(curve.forces())[*point];
-                    let identified = half <= RELATIVE * value.abs() || half <= SHARE * top;
-                    list.push(Estimate {
-                        name: curve.forces().name(),
-                        index: Some(*point),
-                        value,
-                        low: Some(value - half),
-                        high: Some(value + half),
-                        unit: "N",
-                        from: sources[i].clone(),
-                        standing: if identified { Standing::Identified } else { Standing::NotIdentified },
-                    });
-                }
-                Unknown::Entry(coefficients, k) => {
-                    let value = params.list(*coefficients)[*k];
-                    list.push(Estimate {
-                        name: coefficients.name(),
-                        index: Some(*k),
-                        value,
-                        low: Some(value - Z * sd),
-                        high: Some(value + Z * sd),
-                        unit: coefficients.parameter().unit,
-                        from: sources[i].clone(),
-                        standing: Standing::Identified,
-                    });
+        let fitted = Fitted {
+            known: self,
+            hypothesis,
+            theta,
+            unknowns: hypothesis.numbers.iter().map(model).collect(),
+            misses: curve_form::misses(params.list(list!("fv_velocity")), tests, residual),
+            params,
+            top: tests.iter().fold(0.0f64, |m, t| m.max(t.segment.top)),
+            stroke: tests.iter().fold(0.0f64, |m, t| m.max(t.segment.amplitude)),
+            speed: tests.iter().fold(0.0f64, |m, t| m.max(t.segment.peak_velocity)),
+            scale: Scale::from_params(&hypothesis.base),
+        };
+        let unknowns = fitted.unknowns.iter().enumerate();
+        unknowns.filter_map(|(i, unknown)| Some(fitted.estimate(i, unknown.as_ref()?))).collect()
+    }
+}
+
+/// Fitted model with the largest values of its tests.
+struct Fitted<'a> {
+    known: &'a Known,
+    hypothesis: &'a Hypothesis,
+    theta: &'a [f64],
+    params: Params,
+    /// Unknown of the model for each free number. It is `None` for a number of the rig.
+    unknowns: Vec<Option<Unknown>>,
+    /// Deviation of the FV curve from the records near each of its points, N.
+    misses: Vec<f64>,
+    /// Largest measured force, N.
+    top: f64,
+    /// Largest amplitude, m.
+    stroke: f64,
+    /// Largest peak velocity, m/s.
+    speed: f64,
+    scale: Scale,
+}
+
+impl Fitted<'_> {
+    fn estimate(&self, i: usize, unknown: &Unknown) -> Estimate {
+        match unknown {
+            Unknown::Log(number) | Unknown::Linear(number) | Unknown::Above(number, _) => {
+                self.estimate_number(i, unknown, *number)
+            }
+            Unknown::Rise { curve, point } => self.estimate_point(i, *curve, *point),
+            Unknown::Entry(coefficients, k) => self.estimate_entry(i, *coefficients, *k),
+        }
+    }
+
+    /// Returns the standard deviation of a free number in the coordinates of the fit.
+    fn deviation(&self, i: usize) -> f64 {
+        self.known.covariance[(i, i)].max(0.0).sqrt()
+    }
+
+    /// Returns whether a free number lies at a bound of its range.
+    fn is_at_bound(&self, i: usize) -> bool {
+        let (low, high) = self.hypothesis.numbers[i].bounds;
+        let value = self.theta[i];
+        value <= low + 1e-9 * (1.0 + low.abs()) || value >= high - 1e-9 * (1.0 + high.abs())
+    }
+
+    fn estimate_number(&self, i: usize, unknown: &Unknown, number: Number) -> Estimate {
+        let value = self.params.number(number);
+        let (a, b) = self.interval(i, unknown, value);
+        let half = 0.5 * (b - a);
+        // A parameter that is almost zero has a large relative uncertainty even if it is well known. Therefore, the force due to the
+        // half-width also decides.
+        let force = half * per_unit(number, self.stroke, self.speed);
+        let identified =
+            self.known.determined[i] > 1e-9 && (half <= RELATIVE * value.abs() || force <= SHARE * self.top);
+        let (bound_low, bound_high) = self.scale.reach(number);
+        Estimate {
+            name: number.name(),
+            index: None,
+            value,
+            low: identified.then(|| a.max(bound_low)),
+            high: identified.then(|| b.min(bound_high)),
+            unit: number.parameter().unit,
+            from: self.known.sources[i].clone(),
+            standing: match (identified, self.is_at_bound(i)) {
+                (false, _) => Standing::NotIdentified,
+                // A bound needs no report if it is zero or the default, such as Dahl's exponent of 1.
+                (true, true) if value != 0.0 && value != number.default() => Standing::AtBound,
+                _ => Standing::Identified,
+            },
+        }
+    }
+
+    /// Returns the 95 % interval of a single number.
+    fn interval(&self, i: usize, unknown: &Unknown, value: f64) -> (f64, f64) {
+        let cov = &self.known.covariance;
+        let sd = match unknown {
+            Unknown::Log(_) => {
+                let sd = self.deviation(i);
+                return (value * libm::exp(-Z * sd), value * libm::exp(Z * sd));
+            }
+            Unknown::Above(_, below) => {
+                // The value is the other parameter, `level`, times 1 + fraction. Both `level` and the fraction are uncertain.
+                let level = self.params.number(*below);
+                let k = self.unknowns.iter().position(|u| *u == Some(Unknown::Linear(*below)));
+                let factor = 1.0 + self.theta[i];
+                let more = k.map_or(0.0, |k| factor * factor * cov[(k, k)] + 2.0 * factor * level * cov[(i, k)]);
+                (level * level * cov[(i, i)] + more).max(0.0).sqrt()
+            }
+            _ => self.deviation(i),
+        };
+        (value - Z * sd, value + Z * sd)
+    }
+
+    /// Returns the increments whose sum is the force at a point: those from the fixed point of the curve to this point.
+    fn increments(&self, curve: CurveName, point: usize) -> Vec<usize> {
+        let zero = anchor(self.params.list(curve.abscissae()));
+        let is_on_path = |other: &Option<Unknown>| match other {
+            Some(Unknown::Rise { curve: c, point: p }) if *c == curve => {
+                if point > zero {
+                    *p > zero && *p <= point
+                } else {
+                    *p < zero && *p >= point
                 }
             }
+            _ => false,
+        };
+        (0..self.unknowns.len()).filter(|k| is_on_path(&self.unknowns[*k])).collect()
+    }
+
+    fn estimate_point(&self, i: usize, curve: CurveName, point: usize) -> Estimate {
+        let cov = &self.known.covariance;
+        let path = self.increments(curve, point);
+        let variance: f64 = path.iter().flat_map(|a| path.iter().map(|b| cov[(*a, *b)])).sum();
+        // The uncertainty of a point includes the deviation of the curve from the records near that point.
+        let miss = if curve == CurveName::Fv { self.misses.get(point).copied().unwrap_or(0.0) } else { 0.0 };
+        let half = (Z * Z * variance.max(0.0) + miss * miss).sqrt();
+        let value = self.params.list(curve.forces())[point];
+        let identified = half <= RELATIVE * value.abs() || half <= SHARE * self.top;
+        Estimate {
+            name: curve.forces().name(),
+            index: Some(point),
+            value,
+            low: Some(value - half),
+            high: Some(value + half),
+            unit: "N",
+            from: self.known.sources[i].clone(),
+            standing: if identified { Standing::Identified } else { Standing::NotIdentified },
         }
-        list
+    }
+
+    fn estimate_entry(&self, i: usize, coefficients: List, k: usize) -> Estimate {
+        let value = self.params.list(coefficients)[k];
+        let sd = self.deviation(i);
+        Estimate {
+            name: coefficients.name(),
+            index: Some(k),
+            value,
+            low: Some(value - Z * sd),
+            high: Some(value + Z * sd),
+            unit: coefficients.parameter().unit,
+            from: self.known.sources[i].clone(),
+            standing: Standing::Identified,
+        }
     }
 }
 

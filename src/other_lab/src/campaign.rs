@@ -8,8 +8,8 @@ use crate::integrator::{Equations, Integrator, Steps};
 use crate::machine::{Around, Machine};
 use crate::plant::Scale;
 use crate::protocol::Protocol;
-use crate::protocol::motion::{Motion, Ready};
 use crate::protocol::plan::Test;
+use crate::protocol::waveform::{Ready, Waveform};
 use crate::sensors::Sensors;
 use crate::trace::interpolate;
 use serde::Serialize;
@@ -174,7 +174,7 @@ impl Case {
             });
             // Unrecorded conditioning cycles, only before sine tests, also heat the oil. The oil cools over the
             // duration of the test and a pause.
-            let runs = if matches!(test.motion, Motion::Sine { .. }) { p.conditioning } else { 0.0 };
+            let runs = if matches!(test.motion, Waveform::Sine { .. }) { p.conditioning } else { 0.0 };
             oil_c = heat(oil_c, energy * (1.0 + runs));
             oil_c = AMBIENT_C + (oil_c - AMBIENT_C) * libm::exp(-(seconds + PAUSE_S) * COOLING / CAPACITY);
             clock += seconds + PAUSE_S;
@@ -216,8 +216,8 @@ impl Case {
         let p = &self.protocol;
         let all = seconds * p.sample_rate_hz;
         let every = match test.motion {
-            Motion::Sine { .. } | Motion::Triangle { .. } => (all / p.most_samples as f64).ceil().max(1.0),
-            Motion::Sweep { .. } | Motion::Road { .. } => 1.0,
+            Waveform::Sine { .. } | Waveform::Triangle { .. } => (all / p.most_samples as f64).ceil().max(1.0),
+            Waveform::Sweep { .. } | Waveform::Road { .. } => 1.0,
         };
         (0..=(all / every) as usize).map(|i| i as f64 * every / p.sample_rate_hz).collect()
     }
@@ -242,7 +242,7 @@ impl Case {
     }
 }
 
-fn simulate(machine: &Machine, motion: &Ready, kind: &Motion, accuracy: &Accuracy) -> Option<Simulated> {
+fn simulate(machine: &Machine, motion: &Ready, kind: &Waveform, accuracy: &Accuracy) -> Option<Simulated> {
     let mut y = machine.rest();
     let start = machine.drive(0.0);
     let (mut time, mut force) = (vec![0.0], vec![machine.force(&start, &y)]);

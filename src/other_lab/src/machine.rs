@@ -4,7 +4,7 @@ use crate::effects::{EffectModel, Here};
 use crate::integrator::Equations;
 use crate::jet::Jet;
 use crate::plant::{OilContext, Plant};
-use crate::protocol::motion::Ready;
+use crate::protocol::waveform::Ready;
 
 const MOUNT: usize = 0;
 const X: usize = 1;

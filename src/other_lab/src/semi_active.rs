@@ -14,7 +14,7 @@ use crate::plant::monotube::{BAR, Fluid, GAS};
 use crate::plant::solenoid_valve::{self, STAGE, SolenoidValve};
 use crate::plant::{Mount, Seal};
 use crate::protocol::Protocol;
-use crate::protocol::motion::{Motion, Ready};
+use crate::protocol::waveform::{Ready, Waveform};
 use crate::sensors::Sensors;
 use crate::trace::interpolate;
 use std::f64::consts::{FRAC_PI_4, TAU};
@@ -89,7 +89,7 @@ pub struct SemiActiveTest {
     /// Name of the test.
     pub name: String,
     /// Motion of the moving end.
-    pub motion: Motion,
+    pub motion: Waveform,
     /// Number of cycles of a sine or triangle.
     pub cycles: f64,
     /// Commanded current over time.
@@ -391,7 +391,7 @@ pub fn sines(currents: &[f64]) -> Vec<SemiActiveTest> {
             let frequency = peak / (TAU * amplitude * 1e-3);
             SemiActiveTest {
                 name: format!("sine_{amplitude}mm_{:.0}mm_s_{current}A", 1e3 * peak),
-                motion: Motion::Sine { amplitude: amplitude * 1e-3, frequency },
+                motion: Waveform::Sine { amplitude: amplitude * 1e-3, frequency },
                 cycles: 3.0,
                 command: Command::Levels(vec![[0.0, current]]),
                 left_out: false,
@@ -423,7 +423,7 @@ pub fn steps(seed: u64) -> Vec<SemiActiveTest> {
         }
         SemiActiveTest {
             name: format!("steps_{low}_{high}_{:.0}mm_s", 1e3 * speed),
-            motion: Motion::Triangle { amplitude: TRIANGLE, frequency: 0.5 / stroke },
+            motion: Waveform::Triangle { amplitude: TRIANGLE, frequency: 0.5 / stroke },
             cycles,
             command: Command::Levels(levels),
             left_out: false,
@@ -443,7 +443,7 @@ pub fn random(name: &str, seed: u64, most: f64, left_out: bool) -> SemiActiveTes
     let waves = waves.into_iter().map(|[size, omega, phase]| [factor * size, omega, phase]).collect();
     SemiActiveTest {
         name: name.to_owned(),
-        motion: Motion::Road { displacement: 0.03, velocity: 0.8, seconds: 8.0, seed },
+        motion: Waveform::Road { displacement: 0.03, velocity: 0.8, seconds: 8.0, seed },
         cycles: 1.0,
         command: Command::Waves(0.5 * most, waves),
         left_out,

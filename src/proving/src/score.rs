@@ -31,110 +31,146 @@ fn closed(o: &Outcome) -> f64 {
     1.0 - o.clean_after / o.clean_before.max(1e-9)
 }
 
+/// Returns the outcomes of one block of the suite.
+fn of_block<'a>(all: &'a [Outcome], block: &str) -> Vec<&'a Outcome> {
+    all.iter().filter(|o| o.block == block).collect()
+}
+
+fn is_right_first(o: &&Outcome) -> bool {
+    o.named.first().is_some_and(|(name, _)| Some(name.as_str()) == o.truth())
+}
+
+fn is_wrong_first(o: &&Outcome) -> bool {
+    o.named.first().is_some_and(|(name, _)| Some(name.as_str()) != o.truth())
+}
+
+/// Formats the fractions of outcomes with a right and with a wrong name first.
+fn first_names(label: &str, some: &[&Outcome]) -> String {
+    format!(
+        "{label}, right name first: {}; wrong name first: {}",
+        share(some.iter().filter(|o| is_right_first(o)).count(), some.len()),
+        share(some.iter().filter(|o| is_wrong_first(o)).count(), some.len())
+    )
+}
+
 /// Formats the results of the benchmark, one measure on each line.
 pub fn table(all: &[Outcome]) -> String {
-    let mut out = String::new();
-    let of = |block: &str| all.iter().filter(|o| o.block == block).collect::<Vec<_>>();
-    let right = |o: &&Outcome| o.named.first().is_some_and(|(name, _)| Some(name.as_str()) == o.truth());
-    let first_wrong = |o: &&Outcome| o.named.first().is_some_and(|(name, _)| Some(name.as_str()) != o.truth());
-    let single = of("single");
+    let mut lines = Vec::new();
+    let single = of_block(all, "single");
     let taken_up = single.iter().filter(|o| o.in_the_model).count();
     let named = single.iter().filter(|o| o.in_the_model && !o.named.is_empty()).count();
-    let _ = writeln!(
-        out,
+    lines.push(format!(
         "in the model that the fit has made already: {taken_up} of {}, {named} of them with a name",
         single.len()
-    );
+    ));
     let single: Vec<_> = single.into_iter().filter(|o| !o.in_the_model).collect();
-    let severity = |o: &Outcome| o.injected[0].1;
+    lines.extend(single_names(&single));
+    let elsewhere: Vec<_> = of_block(all, "elsewhere").into_iter().filter(|o| !o.in_the_model).collect();
+    lines.push(first_names("measured as some laboratory would", &elsewhere));
+    lines.push(first_names("started from a fit with all elements", &of_block(all, "whole_fit")));
+    for block in ["null_white", "null_coloured", "null_form", "null_whole_fit", "null_elsewhere"] {
+        lines.extend(false_alarms(block, &of_block(all, block)));
+    }
+    lines.extend(found_effects(all));
+    lines.extend(closed_gaps(&single));
+    let worse = all.iter().filter(|o| o.clean_after > 1.02 * o.clean_before).count();
+    lines.push(format!("left-out tests made worse: {}", share(worse, all.len())));
+    lines.push(calibration(all));
+    lines.extend(poor_plans(&of_block(all, "poor")));
+    if let Some(m) = median(all.iter().map(|o| o.seconds).collect()) {
+        lines.push(format!("seconds per diagnosis, median: {m:.2}"));
+    }
+    lines.join("\n") + "\n"
+}
+
+/// Returns the severity of the first injected effect.
+fn severity(o: &Outcome) -> f64 {
+    o.injected[0].1
+}
+
+/// Formats how often one injected effect got the right name, and how often a wrong or a second one.
+fn single_names(single: &[&Outcome]) -> Vec<String> {
+    let mut lines = Vec::new();
     for (label, low, high) in [("severity >= 0.75", 0.75, f64::MAX), ("severity 0.5", 0.0, 0.75)] {
         let some: Vec<_> = single.iter().copied().filter(|o| (low..high).contains(&severity(o))).collect();
-        let hits = some.iter().filter(|o| right(o)).count();
-        let _ = writeln!(out, "right name first, {label}: {}", share(hits, some.len()));
+        let hits = some.iter().filter(|o| is_right_first(o)).count();
+        lines.push(format!("right name first, {label}: {}", share(hits, some.len())));
     }
-    let wrong = single.iter().filter(|o| first_wrong(o)).count();
-    let _ = writeln!(out, "wrong name first: {}", share(wrong, single.len()));
+    let wrong = single.iter().filter(|o| is_wrong_first(o)).count();
+    lines.push(format!("wrong name first: {}", share(wrong, single.len())));
     let sure = single.iter().filter(|o| o.named.iter().any(|(n, c)| !o.is_injected(n) && *c >= 0.9)).count();
-    let _ = writeln!(out, "wrong name given as sure (>= 0.9), anywhere: {}", share(sure, single.len()));
+    lines.push(format!("wrong name given as sure (>= 0.9), anywhere: {}", share(sure, single.len())));
     let extra = single.iter().filter(|o| o.named.len() > 1).count();
-    let _ = writeln!(out, "a second name where one is hidden: {}", share(extra, single.len()));
-    let elsewhere: Vec<_> = of("elsewhere").into_iter().filter(|o| !o.in_the_model).collect();
-    let _ = writeln!(
-        out,
-        "measured as some laboratory would, right name first: {}; wrong name first: {}",
-        share(elsewhere.iter().filter(|o| right(o)).count(), elsewhere.len()),
-        share(elsewhere.iter().filter(|o| first_wrong(o)).count(), elsewhere.len())
-    );
-    let whole = of("whole_fit");
-    let _ = writeln!(
-        out,
-        "started from a fit with all elements, right name first: {}; wrong name first: {}",
-        share(whole.iter().filter(|o| right(o)).count(), whole.len()),
-        share(whole.iter().filter(|o| first_wrong(o)).count(), whole.len())
-    );
-    for block in ["null_white", "null_coloured", "null_form", "null_whole_fit", "null_elsewhere"] {
-        let some = of(block);
-        let _ = writeln!(
-            out,
-            "false alarm, {block}: {}",
-            share(some.iter().filter(|o| !o.named.is_empty()).count(), some.len())
-        );
-        let names = || some.iter().flat_map(|o| o.named.iter().map(|(name, _)| o.is_true(name)));
-        let _ = writeln!(
-            out,
+    lines.push(format!("a second name where one is hidden: {}", share(extra, single.len())));
+    lines
+}
+
+/// Formats how often a healthy damper got a name.
+fn false_alarms(block: &str, some: &[&Outcome]) -> [String; 3] {
+    let alarms = some.iter().filter(|o| !o.named.is_empty()).count();
+    let names = || some.iter().flat_map(|o| o.named.iter().map(|(name, _)| o.is_true(name)));
+    let changed = some.iter().filter(|o| o.verdict == Verdict::Changed).count();
+    let nothing = some.iter().filter(|o| o.verdict.nothing_is_missing()).count();
+    [
+        format!("false alarm, {block}: {}", share(alarms, some.len())),
+        format!(
             "  of these names, true of the damper though not hidden in it: {}",
             share(names().filter(|is| *is).count(), names().count())
-        );
-        let changed = some.iter().filter(|o| o.verdict == Verdict::Changed).count();
-        let _ = writeln!(
-            out,
+        ),
+        format!(
             "  nothing_missing said: {}, with other numbers than the reference's {changed}",
-            share(some.iter().filter(|o| o.verdict.nothing_is_missing()).count(), some.len())
-        );
-    }
-    let unknown = of("unknown");
+            share(nothing, some.len())
+        ),
+    ]
+}
+
+/// Formats how often unknown effects got a known name, and how often injected ones were found, also two at a time.
+fn found_effects(all: &[Outcome]) -> [String; 4] {
+    let unknown = of_block(all, "unknown");
     let named = unknown.iter().filter(|o| !o.named.is_empty()).count();
-    let _ = writeln!(out, "outside the vocabulary, given a known name: {}", share(named, unknown.len()));
     let injected: Vec<_> = all.iter().filter(|o| !o.injected.is_empty() && o.block != "unknown").collect();
     let found = injected.iter().filter(|o| o.truth().is_some_and(|t| o.found.iter().any(|n| n == t)));
-    let _ = writeln!(out, "injected effect among the names or in the model: {}", share(found.count(), injected.len()));
     let names: Vec<bool> = all.iter().flat_map(|o| o.named.iter().map(|(name, _)| o.is_true(name))).collect();
-    let _ = writeln!(out, "names in the true set: {}", share(names.iter().filter(|is| **is).count(), names.len()));
-    let pairs = of("pair");
-    let both =
-        pairs.iter().filter(|o| o.injected.iter().all(|(h, _)| o.named.iter().any(|(n, _)| n == plain(h)))).count();
+    let pairs = of_block(all, "pair");
+    let has_both = |o: &&&Outcome| o.injected.iter().all(|(h, _)| o.named.iter().any(|(n, _)| n == plain(h)));
     let extras: usize = pairs.iter().map(|o| o.named.iter().filter(|(n, _)| !o.is_injected(n)).count()).sum();
-    let _ = writeln!(
-        out,
-        "pairs, both named: {}; both found, by a name or in the fit: {}; other names per case: {:.2}",
-        share(both, pairs.len()),
-        share(pairs.iter().filter(|o| o.found.len() == o.injected.len()).count(), pairs.len()),
-        extras as f64 / pairs.len().max(1) as f64
-    );
+    [
+        format!("outside the vocabulary, given a known name: {}", share(named, unknown.len())),
+        format!("injected effect among the names or in the model: {}", share(found.count(), injected.len())),
+        format!("names in the true set: {}", share(names.iter().filter(|is| **is).count(), names.len())),
+        format!(
+            "pairs, both named: {}; both found, by a name or in the fit: {}; other names per case: {:.2}",
+            share(pairs.iter().filter(has_both).count(), pairs.len()),
+            share(pairs.iter().filter(|o| o.found.len() == o.injected.len()).count(), pairs.len()),
+            extras as f64 / pairs.len().max(1) as f64
+        ),
+    ]
+}
+
+/// Formats the medians of the gaps that the improved models close.
+fn closed_gaps(single: &[&Outcome]) -> Vec<String> {
+    let mut lines = Vec::new();
     for (label, low) in [("severity >= 0.75", 0.75), ("severity >= 3", 3.0)] {
-        let gaps: Vec<f64> = single.iter().filter(|o| severity(o) >= low).map(|o| closed(o)).collect();
-        if let Some(m) = median(gaps) {
-            let _ = writeln!(out, "gap to the noise-free force closed on left-out tests, median, {label}: {m:.3}");
+        let strong = || single.iter().filter(|o| severity(o) >= low);
+        if let Some(m) = median(strong().map(|o| closed(o)).collect()) {
+            lines.push(format!("gap to the noise-free force closed on left-out tests, median, {label}: {m:.3}"));
         }
-        let gaps: Vec<f64> =
-            single.iter().filter(|o| severity(o) >= low).map(|o| o.gap_closed.unwrap_or(0.0)).collect();
-        if let Some(m) = median(gaps) {
-            let _ = writeln!(out, "gap to the noise closed on left-out tests, median, {label}: {m:.3}");
+        if let Some(m) = median(strong().map(|o| o.gap_closed.unwrap_or(0.0)).collect()) {
+            lines.push(format!("gap to the noise closed on left-out tests, median, {label}: {m:.3}"));
         }
     }
-    let worse = all.iter().filter(|o| o.clean_after > 1.02 * o.clean_before).count();
-    let _ = writeln!(out, "left-out tests made worse: {}", share(worse, all.len()));
-    let _ = writeln!(out, "{}", calibration(all));
-    let poor = of("poor");
-    let honest = poor
-        .iter()
-        .filter(|o| {
-            right(o)
-                || (o.named.is_empty() && !o.verdict.nothing_is_missing())
-                || o.truth().is_some_and(|t| o.could_not_test.iter().any(|c| c == t))
-        })
-        .count();
-    let _ = writeln!(out, "poor plans, named right or said so: {}", share(honest, poor.len()));
+    lines
+}
+
+/// Formats how often poor plans were named right or reported as poor, and how often the proposed tests decided.
+fn poor_plans(poor: &[&Outcome]) -> Vec<String> {
+    let is_honest = |o: &&&Outcome| {
+        is_right_first(o)
+            || (o.named.is_empty() && !o.verdict.nothing_is_missing())
+            || o.truth().is_some_and(|t| o.could_not_test.iter().any(|c| c == t))
+    };
+    let honest = poor.iter().filter(is_honest).count();
+    let mut lines = vec![format!("poor plans, named right or said so: {}", share(honest, poor.len()))];
     for (label, name) in [
         (
             "the test proposed first, run as well, decides",
@@ -143,12 +179,9 @@ pub fn table(all: &[Outcome]) -> String {
         ("all sines proposed, run as well, decide", |o| o.with_all_proposed.as_deref()),
     ] {
         let after: Vec<bool> = poor.iter().filter_map(|o| name(o).map(|name| Some(name) == o.truth())).collect();
-        let _ = writeln!(out, "  {label}: {}", share(after.iter().filter(|right| **right).count(), after.len()));
+        lines.push(format!("  {label}: {}", share(after.iter().filter(|right| **right).count(), after.len())));
     }
-    if let Some(m) = median(all.iter().map(|o| o.seconds).collect()) {
-        let _ = writeln!(out, "seconds per diagnosis, median: {m:.2}");
-    }
-    out
+    lines
 }
 
 /// Formats the expected calibration error, and the precision of names with a confidence of at least 0.9.

@@ -33,7 +33,7 @@ pub struct Drive {
 
 /// Displacement and its derivatives at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Motion {
+pub struct KinematicState {
     pub displacement_m: f64,
     pub velocity_m_s: f64,
     pub acceleration_m_s2: f64,
@@ -93,7 +93,7 @@ impl Drive {
     }
 
     /// Computes displacement (m), velocity (m/s) and acceleration (m/s²) at a time (s).
-    pub fn motion_with_acceleration(&self, time: f64) -> Motion {
+    pub fn motion_with_acceleration(&self, time: f64) -> KinematicState {
         let (start, end) = self.full;
         let (envelope, rate, curvature) = if time < start {
             let (value, slope, bend) = smooth_step((time - (start - self.ramp)) / self.ramp);
@@ -111,7 +111,7 @@ impl Drive {
             }
             Some(road) => road.shape(time),
         };
-        Motion {
+        KinematicState {
             displacement_m: self.mean + self.amplitude * envelope * shape,
             velocity_m_s: self.amplitude * (rate * shape + envelope * shape_rate),
             acceleration_m_s2: self.amplitude

@@ -99,8 +99,8 @@ impl Rivals {
             rivals.fitted_to_all = true;
         }
         let tests = observation::of_records(&used);
-        let motions: Vec<observation::Motion> =
-            campaign.records.par_iter().map(observation::Motion::from_record).collect();
+        let motions: Vec<observation::SampledMotion> =
+            campaign.records.par_iter().map(observation::SampledMotion::from_record).collect();
         for (k, name) in names.iter().enumerate() {
             progress(k as f64 / names.len() as f64, name);
             let literature = if is_model(name) { Literature::fit(name, &tests)? } else { file::read(Path::new(name))? };

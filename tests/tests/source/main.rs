@@ -9,6 +9,7 @@ mod computed_limits;
 mod contributing;
 mod documents;
 mod file_reads;
+mod long_functions;
 mod messages;
 mod parameter_page;
 mod same_digits;

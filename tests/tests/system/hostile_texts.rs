@@ -10,7 +10,7 @@ use dashpot_core::parameter::Element;
 use dashpot_core::{Params, model_file as kernel};
 use dashpot_hosts::adams::patch::{Damper, patch};
 use dashpot_hosts::adams::property;
-use dashpot_identification::literature::observation::{self, Motion};
+use dashpot_identification::literature::observation::{self, SampledMotion};
 use dashpot_identification::literature::{Literature, file as literature};
 use dashpot_identification::model_file;
 use dashpot_identification::{limits, model_file::prepared};
@@ -141,7 +141,7 @@ fn files_of_models_of_the_literature() {
     let tests = observation::of_records(&refs);
     let names = ["fv", "piecewise", "lag", "surface", "dahl", "kwok"];
     let seeds = names.map(|name| literature::write(&Literature::fit(name, &tests).unwrap(), &["a".to_owned()]));
-    let motion = Motion::from_record(&records[1]);
+    let motion = SampledMotion::from_record(&records[1]);
     every_damage_is_read_or_refused("rival.toml", &seeds, &|file, bytes| {
         std::fs::write(file, bytes).unwrap();
         let read = literature::read(file).map_err(|e| e.to_string())?;

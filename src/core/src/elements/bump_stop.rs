@@ -1,6 +1,6 @@
 //! Bump stop: the end of the compression stroke.
 
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::elements::end_stop::EndStop;
 use crate::fault::Fault;
 use crate::schema::own::own;
@@ -73,7 +73,7 @@ impl Prepare for BumpStop {
 }
 
 impl Force for BumpStop {
-    fn force(&self, at: &Motion) -> Response {
+    fn force(&self, at: &OperatingPoint) -> Response {
         let push = self.0.push(-at.displacement, -at.velocity);
         Response { force: -push.force, ..push }
     }

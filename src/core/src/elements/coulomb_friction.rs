@@ -1,6 +1,6 @@
 //! Coulomb friction (Jonnalagadda & Vyas, KTH 2020, equation 3.1).
 
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::fault::Fault;
 use crate::math::tanh;
 use crate::schema::own::own;
@@ -38,7 +38,7 @@ impl Prepare for CoulombFriction {
 
 impl Force for CoulombFriction {
     #[inline(always)]
-    fn force(&self, at: &Motion) -> Response {
+    fn force(&self, at: &OperatingPoint) -> Response {
         smooth_sign(self.level, self.steepness, at.velocity)
     }
 }

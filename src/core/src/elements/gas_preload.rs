@@ -1,6 +1,6 @@
 //! Constant gas force that pushes the rod out (Jonnalagadda & Vyas, KTH 2020, chapter 3: identified from a slow test).
 
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
@@ -28,12 +28,12 @@ impl Prepare for GasPreload {
 
 impl Force for GasPreload {
     #[inline(always)]
-    fn force(&self, _: &Motion) -> Response {
+    fn force(&self, _: &OperatingPoint) -> Response {
         Response { force: -self.push, d_force_d_x: 0.0, d_force_d_v: 0.0 }
     }
 
     #[inline(always)]
-    fn at_once(&self, at: &Motion) -> Option<Response> {
+    fn at_once(&self, at: &OperatingPoint) -> Option<Response> {
         Some(self.force(at))
     }
 }

@@ -1,7 +1,7 @@
 //! Gas spring: change of the gas force with rod displacement; isothermal in slow motion, adiabatic in fast motion.
 
 use crate::dual::{Dual, Real};
-use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::element::{EndState, ForceComponent, OperatingPoint, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::{Path, Travel};
 use crate::math::{max, power_inlined, relaxation};
@@ -169,7 +169,7 @@ impl StatefulForce for GasSpring {
         ForceComponent::Gas
     }
 
-    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse {
+    fn evaluate(&self, at: &OperatingPoint, z: f64) -> StateResponse {
         let gas = self.gas(at.displacement);
         let (isothermal, isothermal_by_x) = self.rests(&gas);
         let (pressure, pressure_by_x) = self.pressure(&gas);
@@ -206,7 +206,7 @@ impl StatefulForce for GasSpring {
         [z, force.plus(self.push)]
     }
 
-    fn equilibrium(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &OperatingPoint) -> f64 {
         self.rests(&self.gas(at.displacement)).0 - 1.0
     }
 

@@ -1,6 +1,6 @@
 //! Gas that warms with the damper, so that it pushes the rod out with a larger force.
 
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
@@ -40,12 +40,12 @@ impl Prepare for GasWarming {
 
 impl Force for GasWarming {
     #[inline(always)]
-    fn force(&self, at: &Motion) -> Response {
+    fn force(&self, at: &OperatingPoint) -> Response {
         Response { force: -self.rate * (at.temperature - self.reference), d_force_d_x: 0.0, d_force_d_v: 0.0 }
     }
 
     #[inline(always)]
-    fn at_once(&self, at: &Motion) -> Option<Response> {
+    fn at_once(&self, at: &OperatingPoint) -> Option<Response> {
         Some(self.force(at))
     }
 }

@@ -1,7 +1,7 @@
 //! Polynomial FV curve with a first-order lag: a comparison model of Jonnalagadda & Vyas (KTH 2020).
 
 use crate::dual::{Dual, Real};
-use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::element::{EndState, OperatingPoint, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::{Fault, Reason};
 use crate::input::Path;
 use crate::math::relaxation;
@@ -134,7 +134,7 @@ impl LaggedPolynomial {
 }
 
 impl StatefulForce for LaggedPolynomial {
-    fn evaluate(&self, at: &Motion, y: f64) -> StateResponse {
+    fn evaluate(&self, at: &OperatingPoint, y: f64) -> StateResponse {
         let (target, by_v) = self.polynomial(at.velocity);
         let (t, t_by_v) = self.time_constant(at.velocity);
         let rate = (target - y) / t;
@@ -148,7 +148,7 @@ impl StatefulForce for LaggedPolynomial {
         }
     }
 
-    fn equilibrium(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &OperatingPoint) -> f64 {
         self.polynomial(at.velocity).0
     }
 

@@ -4,7 +4,7 @@
 //! piston accelerates the oil.
 
 use crate::dual::{Dual, Real};
-use crate::element::{EndState, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::element::{EndState, OperatingPoint, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::Path;
 use crate::math::{pair, relaxation};
@@ -115,7 +115,7 @@ impl MovingMass {
 const NEAR: f64 = 1e-9;
 
 impl StatefulForce for MovingMass {
-    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse {
+    fn evaluate(&self, at: &OperatingPoint, z: f64) -> StateResponse {
         let behind = at.velocity - z;
         StateResponse {
             force: self.damping * behind,
@@ -128,7 +128,7 @@ impl StatefulForce for MovingMass {
         }
     }
 
-    fn equilibrium(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &OperatingPoint) -> f64 {
         at.velocity
     }
 

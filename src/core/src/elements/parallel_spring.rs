@@ -2,7 +2,7 @@
 //! hysteresis.
 
 use crate::curve::{Curve, Interpolation, MAX_POINTS};
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::fault::{Fault, Reason};
 use crate::math::pair;
 use crate::schema::kind::{Many, One};
@@ -104,7 +104,7 @@ fn of_table(p: &View<ParallelSpring>, reason: Reason) -> Fault {
 
 impl<T: Tables> Force for ParallelSpring<T> {
     #[inline(always)]
-    fn force(&self, at: &Motion) -> Response {
+    fn force(&self, at: &OperatingPoint) -> Response {
         if self.has_higher || self.has_lookup { self.bent(at.displacement) } else { self.even(at.displacement) }
     }
 
@@ -114,12 +114,12 @@ impl<T: Tables> Force for ParallelSpring<T> {
     }
 
     #[inline(always)]
-    fn linear_force(&self, at: &Motion) -> Response {
+    fn linear_force(&self, at: &OperatingPoint) -> Response {
         self.even(at.displacement)
     }
 
     #[inline(always)]
-    fn at_once(&self, at: &Motion) -> Option<Response> {
+    fn at_once(&self, at: &OperatingPoint) -> Option<Response> {
         if self.has_higher || self.has_lookup { None } else { Some(self.even(at.displacement)) }
     }
 }

@@ -2,7 +2,7 @@
 //! reversal.
 
 use crate::dual::{Dual, Real};
-use crate::element::{EndState, ForceComponent, Motion, Prepare, Response, StateResponse, StatefulForce};
+use crate::element::{EndState, ForceComponent, OperatingPoint, Prepare, Response, StateResponse, StatefulForce};
 use crate::fault::Fault;
 use crate::input::{Path, Travel};
 use crate::math::{max, min, power};
@@ -259,7 +259,7 @@ impl StatefulForce for PreslidingFriction {
         ForceComponent::Friction
     }
 
-    fn evaluate(&self, at: &Motion, z: f64) -> StateResponse {
+    fn evaluate(&self, at: &OperatingPoint, z: f64) -> StateResponse {
         let v = at.velocity;
         let bent = z * self.per_length;
         let speed = libm::sqrt(v * v + self.creep_squared);
@@ -314,7 +314,7 @@ impl StatefulForce for PreslidingFriction {
 
     /// Returns the steady deflection z, m, under a constant velocity. At rest it is 0: any deflection is an equilibrium
     /// there, but before any motion there is no deflection.
-    fn equilibrium(&self, at: &Motion) -> f64 {
+    fn equilibrium(&self, at: &OperatingPoint) -> f64 {
         if at.velocity == 0.0 {
             return 0.0;
         }
@@ -324,7 +324,7 @@ impl StatefulForce for PreslidingFriction {
 
     /// Returns the steady deflection, m. At rest, it results from the deflection `z` and the displacement since `from`,
     /// m.
-    fn equilibrium_from(&self, from: f64, z: f64, at: &Motion) -> f64 {
+    fn equilibrium_from(&self, from: f64, z: f64, at: &OperatingPoint) -> f64 {
         if !self.is_path_dependent(at) {
             return self.equilibrium(at);
         }
@@ -332,7 +332,7 @@ impl StatefulForce for PreslidingFriction {
         if moved == 0.0 { z } else { self.length * self.bend(z * self.per_length, moved.signum(), moved.abs()) }
     }
 
-    fn is_path_dependent(&self, at: &Motion) -> bool {
+    fn is_path_dependent(&self, at: &OperatingPoint) -> bool {
         at.velocity == 0.0
     }
 }

@@ -1,6 +1,6 @@
 //! Friction that grows with side force (Jonnalagadda & Vyas, KTH 2020, section 4.2).
 
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::elements::coulomb_friction::smooth_sign;
 use crate::fault::Fault;
 use crate::schema::own::own;
@@ -49,7 +49,7 @@ impl Prepare for SideForceFriction {
 
 impl Force for SideForceFriction {
     #[inline(always)]
-    fn force(&self, at: &Motion) -> Response {
+    fn force(&self, at: &OperatingPoint) -> Response {
         smooth_sign(self.coefficient * at.side_force.abs(), self.steepness, at.velocity)
     }
 }

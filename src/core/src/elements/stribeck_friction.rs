@@ -2,7 +2,7 @@
 //!
 //! Source: Jonnalagadda & Vyas, KTH 2020, equations 3.3–3.7.
 
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::elements::coulomb_friction::smooth_sign;
 use crate::fault::Fault;
 use crate::math::{exp_below_bound, power};
@@ -170,7 +170,7 @@ impl StribeckFriction {
 
 impl Force for StribeckFriction {
     #[inline(always)]
-    fn force(&self, at: &Motion) -> Response {
+    fn force(&self, at: &OperatingPoint) -> Response {
         let v = at.velocity;
         match *self {
             StribeckFriction::Simplified { peak, per_stribeck, coulomb, steepness } => {
@@ -188,7 +188,7 @@ impl Force for StribeckFriction {
     }
 
     #[inline(always)]
-    fn at_once(&self, at: &Motion) -> Option<Response> {
+    fn at_once(&self, at: &OperatingPoint) -> Option<Response> {
         match *self {
             StribeckFriction::Simplified { .. } => Some(self.force(at)),
             StribeckFriction::Full { .. } => None,

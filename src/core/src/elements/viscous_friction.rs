@@ -1,6 +1,6 @@
 //! Viscous friction that grows with the square of velocity (Jonnalagadda & Vyas, KTH 2020, equation 3.2, term F_v).
 
-use crate::element::{Force, Motion, Prepare, Response};
+use crate::element::{Force, OperatingPoint, Prepare, Response};
 use crate::fault::Fault;
 use crate::schema::own::own;
 use crate::schema::{Describe, Parameter, View};
@@ -35,13 +35,13 @@ impl Prepare for ViscousFriction {
 
 impl Force for ViscousFriction {
     #[inline(always)]
-    fn force(&self, at: &Motion) -> Response {
+    fn force(&self, at: &OperatingPoint) -> Response {
         let (v, speed) = (at.velocity, at.velocity.abs());
         Response { force: self.coefficient * v * speed, d_force_d_x: 0.0, d_force_d_v: 2.0 * self.coefficient * speed }
     }
 
     #[inline(always)]
-    fn at_once(&self, at: &Motion) -> Option<Response> {
+    fn at_once(&self, at: &OperatingPoint) -> Option<Response> {
         Some(self.force(at))
     }
 }

@@ -5,7 +5,7 @@ use super::Partials;
 use crate::assembly::Elements;
 use crate::curve::Value;
 use crate::dual::{Dual, Real};
-use crate::element::Motion;
+use crate::element::OperatingPoint;
 use crate::input::Input;
 use crate::paths::bypass;
 use crate::paths::hydraulic::{self, Around, Flow, column_force, column_rate};
@@ -97,7 +97,7 @@ fn instant(
     if fade.heats_itself {
         rates[place::HEAT] = flow.force * through * fade.per_capacity - states[place::HEAT] * fade.cooling;
     }
-    let at = Motion {
+    let at = OperatingPoint {
         displacement: x.value(),
         velocity: u.value(),
         side_force: around.side_force,

@@ -27,7 +27,7 @@
 
 use super::reach::{springs, within_reach};
 use crate::assembly::Elements;
-use crate::element::{Motion, Response};
+use crate::element::{OperatingPoint, Response};
 use crate::input::PathPoint;
 use crate::tables::{ForceLaw, Tables};
 
@@ -100,8 +100,8 @@ impl After {
 impl Before {
     /// Returns the motion about which the springs on the mass are linearized in a step to `end`.
     #[inline(always)]
-    pub fn springs_at(&self, end: &PathPoint) -> Motion {
-        Motion {
+    pub fn springs_at(&self, end: &PathPoint) -> OperatingPoint {
+        OperatingPoint {
             displacement: within_reach(self.x + self.h * self.v, end.x),
             velocity: self.v,
             side_force: self.side.0,

@@ -7,7 +7,7 @@ use super::reach::{line_by_place, springs, within_reach};
 use super::tableau::{EULER, MOST_STAGES, SECOND, THIRD, THREE_STAGE, Tableau};
 use crate::assembly::Elements;
 use crate::curve::Value;
-use crate::element::{Motion, Response};
+use crate::element::{OperatingPoint, Response};
 use crate::input::Path;
 use crate::math::pair;
 use crate::tables::Tables;
@@ -95,7 +95,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
         let [known_x, known_v] = known;
         let inner_at = within_reach(known_x + g * self.predicted, point.x);
         let (side_force, temperature) = self.side;
-        let at = Motion { displacement: inner_at, velocity: self.predicted, side_force, temperature };
+        let at = OperatingPoint { displacement: inner_at, velocity: self.predicted, side_force, temperature };
         let inner = if MAY_BEND { self.elements.inner(&at) } else { self.elements.linear_force(&at) };
         // The spring force F_p is linearized about x̂ = `inner_at`, with X = `known_x`. Then F_p(X + g u) ≈ F_p(x̂) +
         // F_p' (X + g u − x̂) = known part + (g F_p' + ∂F_p/∂v) u.
@@ -123,7 +123,8 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
             line.origin = LineOrigin::Reach;
         }
         if is_nonlinear && follow.wants_derivatives() {
-            line.by_place = line_by_place(self.elements, &Motion { displacement: inner_at, ..at }, known_x + g * u);
+            line.by_place =
+                line_by_place(self.elements, &OperatingPoint { displacement: inner_at, ..at }, known_x + g * u);
         }
         let moved = g * u;
         if let Some(gain) = self.gains.get_mut(index) {

@@ -2,7 +2,7 @@
 
 use super::tableau::{MOST_STAGES, Tableau};
 use crate::assembly::Elements;
-use crate::element::{EndState, Motion, Response, StateVisitor, StatefulForce};
+use crate::element::{EndState, OperatingPoint, Response, StateVisitor, StatefulForce};
 use crate::input::Path;
 use crate::math::pair;
 use crate::state::{MAX_INTERNAL, Output};
@@ -19,7 +19,7 @@ pub(super) fn advance_extras(
     (method, substeps): (&Tableau, u32),
     elements: &Elements<impl Tables>,
     path: &Path,
-    end: &Motion,
+    end: &OperatingPoint,
     internal: &mut [f64; MAX_INTERNAL],
     output: &mut Output,
     derivatives: bool,
@@ -37,7 +37,7 @@ struct Extras<'a> {
     method: &'a Tableau,
     substeps: u32,
     path: &'a Path,
-    end: &'a Motion,
+    end: &'a OperatingPoint,
     internal: &'a mut [f64; MAX_INTERNAL],
     output: &'a mut Output,
     derivatives: bool,
@@ -96,7 +96,8 @@ fn advance_state(
             for (push, weight) in pushes.iter().zip(weights).take(i) {
                 known += weight * push;
             }
-            let at = Motion { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
+            let at =
+                OperatingPoint { displacement: point.x, velocity: point.v, side_force: side.0, temperature: side.1 };
             let response = element.evaluate(&at, known);
             let g = method.gamma * h;
             let divide = 1.0 / (1.0 - g * response.d_rate_d_z);
@@ -143,7 +144,7 @@ mod tests {
     }
 
     impl StatefulForce for Follows {
-        fn evaluate(&self, at: &Motion, z: f64) -> crate::element::StateResponse {
+        fn evaluate(&self, at: &OperatingPoint, z: f64) -> crate::element::StateResponse {
             crate::element::StateResponse {
                 force: 100.0 * z,
                 d_force_d_z: 100.0,
@@ -155,7 +156,7 @@ mod tests {
             }
         }
 
-        fn equilibrium(&self, at: &Motion) -> f64 {
+        fn equilibrium(&self, at: &OperatingPoint) -> f64 {
             at.displacement
         }
     }

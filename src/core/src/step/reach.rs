@@ -1,7 +1,7 @@
 //! The springs on the internal mass, evaluated within the reach ([`REACH`]) of the series spring about the moving end.
 
 use crate::assembly::Elements;
-use crate::element::{Motion, Response};
+use crate::element::{OperatingPoint, Response};
 use crate::math::{max, min};
 use crate::tables::Tables;
 
@@ -31,7 +31,7 @@ pub(super) fn springs(
     side: (f64, f64),
 ) -> (Response, f64, f64) {
     let at = within_reach(x, driven);
-    let inner = e.inner(&Motion { displacement: at, velocity, side_force: side.0, temperature: side.1 });
+    let inner = e.inner(&OperatingPoint { displacement: at, velocity, side_force: side.0, temperature: side.1 });
     (inner, inner.force + inner.d_force_d_x * (x - at), at)
 }
 
@@ -41,8 +41,8 @@ const CURVATURE_WIDTH: f64 = 1e-6;
 /// Computes the derivative, N/m, of the springs' tangent at the mass position `x_m` with respect to the position x̂ of
 /// its contact point `at`. It is F_p''(x̂) (x_m − x̂) for the spring force F_p.
 #[inline(never)]
-pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &Motion, x_m: f64) -> f64 {
-    let derivative = |x: f64| e.inner(&Motion { displacement: x, ..*at }).d_force_d_x;
+pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &OperatingPoint, x_m: f64) -> f64 {
+    let derivative = |x: f64| e.inner(&OperatingPoint { displacement: x, ..*at }).d_force_d_x;
     let (low, high) = (derivative(at.displacement - CURVATURE_WIDTH), derivative(at.displacement + CURVATURE_WIDTH));
     (high - low) / (2.0 * CURVATURE_WIDTH) * (x_m - at.displacement)
 }

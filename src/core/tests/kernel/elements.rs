@@ -5,7 +5,7 @@ use dashpot_core::parameter::{Element, List, Number, Shape, table};
 use dashpot_core::step::{Integration, Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
 use dashpot_core::{element, number};
-use dashpot_core::{element::Motion, parameter::names};
+use dashpot_core::{element::OperatingPoint, parameter::names};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
@@ -32,7 +32,7 @@ proptest! {
     /// the full form bit by bit.
     #[test]
     fn a_quick_answer_is_the_full_answer(params in any_params(), x in -0.05..0.05f64, v in (-6.0..0.5f64).prop_map(|d| 10f64.powf(d)), sign in any::<bool>()) {
-        let at = Motion { displacement: x, velocity: if sign { v } else { -v }, side_force: 300.0, temperature: 20.0 };
+        let at = OperatingPoint { displacement: x, velocity: if sign { v } else { -v }, side_force: 300.0, temperature: 20.0 };
         let mut quick = 0;
         for element in names() {
             let mut p = params;

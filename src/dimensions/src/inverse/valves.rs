@@ -92,108 +92,134 @@ impl Stroke {
     }
 
     fn explain(&self, model: &Identified, drawing: &Dimensions, to: &mut Explanation) {
-        let [bleed, leak, blow_off] = self.names;
         let points = model.branch(self.sign);
         let mut entries = drawing.missing(&[Entry::Bore, Entry::Rod]);
         if self.sign < 0.0 && drawing.design.is_none() {
             entries.push(crate::entry::DESIGN);
         }
-        let mut cannot = |name, why: Template, entries: &[&'static str], parameters: &[&'static str]| {
-            let (entries, parameters) = (entries.to_vec(), parameters.to_vec());
-            to.unknown.push(Gap { name, why: why.into(), entries, parameters });
-        };
         let has_table = model.has_table() && !points.is_empty();
         if !has_table || !entries.is_empty() {
             let parameters: &[_] = if has_table { &[] } else { &["fv_force"] };
             for name in self.names {
-                cannot(name, phrases::PASSAGE_FROM, &entries, parameters);
+                to.unknown.push(gap(name, phrases::PASSAGE_FROM, &entries, parameters));
             }
             return;
         }
-        let count = bleed_points(&points);
-        let first = count.saturating_sub(POINTS);
-        let below: Vec<(f64, Uncertain)> = points[first..count].to_vec();
         let Some(inputs) = drawing.all(&[Entry::Bore, Entry::Rod, Entry::DischargeCoefficient, Entry::OilDensity])
         else {
             return;
         };
-        let speeds: Vec<f64> = below.iter().map(|point| point.0).collect();
-        let design = drawing.design;
-        let from = |more: &'static str| {
-            vec!["fv_force", Entry::Bore.key(), Entry::Rod.key(), more]
-                .into_iter()
-                .filter(|key| !key.is_empty())
-                .collect::<Vec<_>>()
-        };
-        let with = |error: f64, more: &[Uncertain]| {
-            let mut all = inputs.clone();
-            all.push(Uncertain::within_factor(1.0, error));
-            all.extend(below.iter().map(|point| point.1));
-            all.extend(more);
-            all
-        };
-        let last = 5 + below.len();
-        if below.len() < 2 {
-            let why = phrases::FEW_SLOW_POINTS;
-            cannot(bleed, why, &[], &["fv_force at two slow speeds"]);
-            cannot(leak, why, &[], &["fv_force at two slow speeds"]);
-        } else {
-            let law = |x: &[f64]| bleed_law(&speeds, &x[5..last]);
-            let area_of = |x: &[f64]| self.area(design, x[0], x[1]);
-            let found = through(&with(errors::BLEED, &[]), |x| {
-                orifice::passage_of_quadratic(law(x).1, area_of(x), x[2], x[3]) * x[4]
-            });
-            let key = Entry::DischargeCoefficient.key();
-            let quantity = Quantity::new(bleed, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLEED);
-            to.quantities.push(bounded(quantity, phrases::NO_ORIFICE));
-            let found = through(&with(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, area_of(x)) * x[4]);
-            let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), from(""), errors::LEAK);
-            // Without an upper end the curve has no laminar part. The bleed and passages in series with it have a
-            // laminar part, too, so the true leak may be smaller, or zero.
-            let note = Some(phrases::OF_ALL_PASSAGES.into());
-            match quantity.high {
-                Some(_) => to.quantities.push(Quantity { low: None, value: None, note, ..quantity }),
-                None => to.unknown.push(Gap {
-                    name: leak,
-                    why: phrases::NO_LEAK.into(),
-                    entries: Vec::new(),
-                    parameters: Vec::new(),
-                }),
+        let count = bleed_points(&points);
+        let below = points[count.saturating_sub(POINTS)..count].to_vec();
+        let speeds = below.iter().map(|point| point.0).collect();
+        let passages = Passages { stroke: self, design: drawing.design, inputs, below, speeds };
+        passages.explain_bleed(to);
+        passages.explain_blow_off(&points[count..], to);
+    }
+}
+
+/// Drawing and FV curve of a stroke, from which its passages follow.
+struct Passages<'a> {
+    stroke: &'a Stroke,
+    design: Option<Design>,
+    /// Bore, rod, discharge coefficient and oil density.
+    inputs: Vec<Uncertain>,
+    /// Points of the curve below the knee: speed, m/s, and force, N.
+    below: Vec<(f64, Uncertain)>,
+    /// Speeds of these points, m/s.
+    speeds: Vec<f64>,
+}
+
+impl Passages<'_> {
+    /// Returns the uncertain numbers from which a quantity follows: the inputs, the factor of the error of the law, the
+    /// forces below the knee, and more.
+    fn numbers(&self, error: f64, more: &[Uncertain]) -> Vec<Uncertain> {
+        let mut all = self.inputs.clone();
+        all.push(Uncertain::within_factor(1.0, error));
+        all.extend(self.below.iter().map(|point| point.1));
+        all.extend(more);
+        all
+    }
+
+    /// Returns the forces below the knee among the [`Passages::numbers`].
+    fn forces<'x>(&self, numbers: &'x [f64]) -> &'x [f64] {
+        &numbers[5..5 + self.below.len()]
+    }
+
+    /// Returns the piston area, m², from the [`Passages::numbers`].
+    fn area(&self, numbers: &[f64]) -> f64 {
+        self.stroke.area(self.design, numbers[0], numbers[1])
+    }
+
+    /// Adds the bleed and the leak, or why they are unknown.
+    fn explain_bleed(&self, to: &mut Explanation) {
+        let [bleed, leak, _] = self.stroke.names;
+        if self.below.len() < 2 {
+            for name in [bleed, leak] {
+                to.unknown.push(gap(name, phrases::FEW_SLOW_POINTS, &[], &["fv_force at two slow speeds"]));
             }
+            return;
         }
-        let mut cannot = |why: Template| {
-            to.unknown.push(Gap {
-                name: blow_off,
-                why: why.into(),
-                entries: Vec::new(),
-                parameters: vec!["fv_force at a fast speed"],
-            });
+        let law = |x: &[f64]| bleed_law(&self.speeds, self.forces(x));
+        let found = through(&self.numbers(errors::BLEED, &[]), |x| {
+            orifice::passage_of_quadratic(law(x).1, self.area(x), x[2], x[3]) * x[4]
+        });
+        let from = sources(Entry::DischargeCoefficient.key());
+        let quantity = Quantity::new(bleed, "mm²", found.scaled(1.0 / MM2), from, errors::BLEED);
+        to.quantities.push(bounded(quantity, phrases::NO_ORIFICE));
+        let found =
+            through(&self.numbers(errors::LEAK, &[]), |x| orifice::leak_of_linear(law(x).0, self.area(x)) * x[4]);
+        let quantity = Quantity::new(leak, "cm³/(s bar)", found.scaled(1.0 / CM3_PER_BAR), sources(""), errors::LEAK);
+        // Without an upper end the curve has no laminar part. The bleed and passages in series with it have a laminar
+        // part, too, so the true leak may be smaller, or zero.
+        let note = Some(phrases::OF_ALL_PASSAGES.into());
+        match quantity.high {
+            Some(_) => to.quantities.push(Quantity { low: None, value: None, note, ..quantity }),
+            None => to.unknown.push(gap(leak, phrases::NO_LEAK, &[], &[])),
+        }
+    }
+
+    /// Adds the blow-off valve, or why it is unknown. `above` are the points beyond the knee.
+    fn explain_blow_off(&self, above: &[(f64, Uncertain)], to: &mut Explanation) {
+        let [.., blow_off] = self.stroke.names;
+        let unknown = |why: Template| gap(blow_off, why, &[], &["fv_force at a fast speed"]);
+        let Some(&(speed, force)) = above.last() else {
+            to.unknown.push(unknown(phrases::NO_KNEE));
+            return;
         };
-        if count == points.len() {
-            return cannot(phrases::NO_KNEE);
-        }
-        let (speed, force) = points[points.len() - 1];
-        let found = through(&with(errors::BLOW_OFF, &[force]), |x| {
-            let piston = self.area(design, x[0], x[1]);
-            let bled = match last - 5 {
+        let last = 5 + self.below.len();
+        let found = through(&self.numbers(errors::BLOW_OFF, &[force]), |x| {
+            let piston = self.area(x);
+            let bled = match self.below.len() {
                 0 => 0.0,
-                1 => speeds[0] * libm::sqrt(x[last] / x[5]),
+                1 => self.speeds[0] * libm::sqrt(x[last] / x[5]),
                 _ => {
-                    let (a, b) = bleed_law(&speeds, &x[5..last]);
+                    let (a, b) = bleed_law(&self.speeds, self.forces(x));
                     orifice::bleed_speed(x[last], a, b)
                 }
             };
             orifice::passage_area(piston * (speed - bled).max(0.0), x[last] / piston, x[2], x[3]) * x[4]
         });
         if found.low == Some(0.0) && found.high == Some(0.0) {
-            return cannot(phrases::BLEED_PASSES_ALL);
+            to.unknown.push(unknown(phrases::BLEED_PASSES_ALL));
+            return;
         }
-        let key = Entry::DischargeCoefficient.key();
+        let from = sources(Entry::DischargeCoefficient.key());
         to.quantities.push(Quantity {
             note: Some(phrases::OPENING_AT.into()),
-            ..Quantity::new(blow_off, "mm²", found.scaled(1.0 / MM2), from(key), errors::BLOW_OFF)
+            ..Quantity::new(blow_off, "mm²", found.scaled(1.0 / MM2), from, errors::BLOW_OFF)
         });
     }
+}
+
+/// Makes the entry of an unknown quantity with what it needs: entries of the drawing, and parameters of the model.
+fn gap(name: &'static str, why: Template, entries: &[&'static str], parameters: &[&'static str]) -> Gap {
+    Gap { name, why: why.into(), entries: entries.to_vec(), parameters: parameters.to_vec() }
+}
+
+/// Lists the parameters and entries from which a quantity follows. An empty name is left out.
+fn sources(more: &'static str) -> Vec<&'static str> {
+    ["fv_force", Entry::Bore.key(), Entry::Rod.key(), more].into_iter().filter(|key| !key.is_empty()).collect()
 }
 
 /// Removes the value and adds a note if a quantity has no upper end.

@@ -305,6 +305,7 @@ fn blend(part: f32) -> Color32 {
     Color32::from_rgb(86, 180, 233).lerp_to_gamma(Color32::from_rgb(213, 94, 0), part)
 }
 
+// Long: drawing, grabbing and dragging of the points share the state of one frame.
 /// Draws peak force over peak velocity for tests and model, and the draggable points of the curve. The model is at constant velocity, as in
 /// the report.
 pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {

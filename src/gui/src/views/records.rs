@@ -6,6 +6,7 @@ use crate::views::{View, named_list};
 use dashpot_records::{Channel, DateOrder, Positive, Unit};
 use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
 
+// Long: a form, one statement for each of its fields in the order of the screen.
 /// Draws the panel.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     let (w, format) = (view.words(), view.format());

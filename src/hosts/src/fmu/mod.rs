@@ -146,39 +146,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     let mut files: Vec<(String, Vec<u8>)> =
         sources::bundled().into_iter().map(|(name, text)| (name.to_owned(), text.into())).collect();
     files.push(("model_data.c".into(), sources::model_data(&contents, &texts).into()));
-
-    let mut binaries: Vec<(String, &str, Vec<u8>)> = Vec::new();
-    let kernel;
-    if let Some(library) = options.from_source {
-        binaries.push((platform(version), std::env::consts::DLL_SUFFIX, compile(&files, library)?));
-        kernel = Some((needed_of(library)?, platform(version)));
-    } else {
-        for (platform, suffix) in [("linux64", ".so"), ("win64", ".dll")] {
-            if let Some(runtime) = runtimes::compiled(platform, &format!("{}{suffix}", description::IDENTIFIER)) {
-                binaries.push((platform_of(platform, version), suffix, runtime.to_vec()));
-            }
-        }
-        let object = runtimes::compiled("linux64", "kernel.o");
-        kernel = object.map(|object| (object.to_vec(), platform_of("linux64", version)));
-    }
-    for other in options.more {
-        let holds = |what: &[u8]| other.content.windows(what.len()).any(|part| part == what);
-        if !holds(guid.as_bytes()) && !holds(RUNTIME_MARK) {
-            bail!(
-                "the binary for {} was not compiled from the sources of this FMU: export it without, compile its sources for \
-                 that platform (sources/build.sh), and export it again with the result",
-                other.platform
-            );
-        }
-        // The user's binaries replace the embedded binaries.
-        binaries.retain(|(platform, ..)| *platform != other.platform);
-        binaries.push((other.platform.clone(), other.suffix(), other.content.clone()));
-    }
-
-    if binaries.is_empty() {
-        bail!("this command holds no FMU runtime; {}, or compile the FMU here with --from-source", runtimes::HOW);
-    }
-
+    let Compiled { binaries, kernel } = Compiled::collect(options, &files, &guid)?;
     // An importer can compile the FMU from these files: the C files, and the kernel as an object file.
     let compiled: Vec<String> = if options.sources && kernel.is_some() {
         let c = files.iter().map(|(name, _)| name.clone()).filter(|name| name.ends_with(".c"));
@@ -192,7 +160,7 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
     // Remarks on chatter would reveal stiffness and damping, so an FMU with concealed parameters has none.
     let remarks = if options.conceal_parameters { &[] } else { options.remarks };
     archive.add("documentation/index.html", page::page(&variables, remarks).as_bytes())?;
-    for (platform, suffix, content) in &binaries {
+    for Library { platform, suffix, content } in &binaries {
         archive.add(&format!("binaries/{platform}/{}{suffix}", description::IDENTIFIER), content)?;
     }
     archive.add("resources/contents.txt", contents.as_bytes())?;
@@ -203,27 +171,100 @@ pub fn fmu<D: Copy + Into<Definition>>(corners: &[D], options: &Options) -> anyh
         for (name, content) in &files {
             archive.add(&format!("sources/{name}"), content)?;
         }
-        archive.add("sources/README.txt", sources::README.as_bytes())?;
-        archive.add("sources/build.sh", sources::BUILD.as_bytes())?;
-        if let Some((object, platform)) = &kernel {
-            archive.add(&format!("sources/{KERNEL}"), object)?;
-            if version == Version::Three {
-                let text = description::build_description(platform, &compiled);
-                archive.add("sources/buildDescription.xml", text.as_bytes())?;
+        add_build_files(&mut archive, options, kernel.as_ref(), &compiled)?;
+    }
+    let platforms = binaries.into_iter().map(|library| library.platform).collect();
+    Ok(Made { bytes: archive.finish()?, platforms, guid })
+}
+
+/// Shared library of the FMU for one platform.
+struct Library {
+    /// Folder below `binaries`.
+    platform: String,
+    suffix: &'static str,
+    content: Vec<u8>,
+}
+
+/// The kernel as one object file, and its platform.
+type KernelObject = (Vec<u8>, String);
+
+/// Compiled parts of an FMU.
+struct Compiled {
+    binaries: Vec<Library>,
+    kernel: Option<KernelObject>,
+}
+
+impl Compiled {
+    /// Compiles the FMU, or takes the prebuilt runtimes, and adds the binaries of the user. `files` are the sources.
+    fn collect(options: &Options, files: &[(String, Vec<u8>)], guid: &str) -> anyhow::Result<Compiled> {
+        let mut compiled = match options.from_source {
+            Some(library) => Compiled::from_source(options.version, files, library)?,
+            None => Compiled::prebuilt(options.version),
+        };
+        for other in options.more {
+            let holds = |what: &[u8]| other.content.windows(what.len()).any(|part| part == what);
+            if !holds(guid.as_bytes()) && !holds(RUNTIME_MARK) {
+                bail!(
+                    "the binary for {} was not compiled from the sources of this FMU: export it without, compile its sources for \
+                     that platform (sources/build.sh), and export it again with the result",
+                    other.platform
+                );
             }
-            let system = if options.from_source.is_some() { system() } else { "Linux-x86_64".to_owned() };
-            for (name, text) in [("platform", platform), ("system", &system)] {
-                archive.add(&format!("sources/lib/{name}"), format!("{text}\n").as_bytes())?;
-            }
+            // The user's binaries replace the embedded binaries.
+            compiled.binaries.retain(|library| library.platform != other.platform);
+            let (platform, content) = (other.platform.clone(), other.content.clone());
+            compiled.binaries.push(Library { platform, suffix: other.suffix(), content });
         }
-        let fmi = if version == Version::Two { "2\n" } else { "3\n" };
-        archive.add("sources/lib/fmi", fmi.as_bytes())?;
-        for (name, text) in kernel::files() {
-            archive.add(&format!("sources/kernel/{name}"), text.as_bytes())?;
+        if compiled.binaries.is_empty() {
+            bail!("this command holds no FMU runtime; {}, or compile the FMU here with --from-source", runtimes::HOW);
+        }
+        Ok(compiled)
+    }
+
+    fn from_source(version: Version, files: &[(String, Vec<u8>)], library: &Path) -> anyhow::Result<Compiled> {
+        let content = compile(files, library)?;
+        let binary = Library { platform: platform(version), suffix: std::env::consts::DLL_SUFFIX, content };
+        Ok(Compiled { binaries: vec![binary], kernel: Some((needed_of(library)?, platform(version))) })
+    }
+
+    fn prebuilt(version: Version) -> Compiled {
+        let runtime = |(platform, suffix): (&str, &'static str)| {
+            let content = runtimes::compiled(platform, &format!("{}{suffix}", description::IDENTIFIER))?;
+            Some(Library { platform: platform_of(platform, version), suffix, content: content.to_vec() })
+        };
+        let binaries = [("linux64", ".so"), ("win64", ".dll")].into_iter().filter_map(runtime).collect();
+        let object = runtimes::compiled("linux64", "kernel.o");
+        Compiled { binaries, kernel: object.map(|object| (object.to_vec(), platform_of("linux64", version))) }
+    }
+}
+
+/// Adds what an importer needs to compile the sources: instructions, kernel and build description. `compiled` are the files to compile.
+fn add_build_files(
+    archive: &mut Archive,
+    options: &Options,
+    kernel: Option<&KernelObject>,
+    compiled: &[String],
+) -> anyhow::Result<()> {
+    let version = options.version;
+    archive.add("sources/README.txt", sources::README.as_bytes())?;
+    archive.add("sources/build.sh", sources::BUILD.as_bytes())?;
+    if let Some((object, platform)) = kernel {
+        archive.add(&format!("sources/{KERNEL}"), object)?;
+        if version == Version::Three {
+            let text = description::build_description(platform, compiled);
+            archive.add("sources/buildDescription.xml", text.as_bytes())?;
+        }
+        let system = if options.from_source.is_some() { system() } else { "Linux-x86_64".to_owned() };
+        for (name, text) in [("platform", platform), ("system", &system)] {
+            archive.add(&format!("sources/lib/{name}"), format!("{text}\n").as_bytes())?;
         }
     }
-    let platforms = binaries.into_iter().map(|(platform, ..)| platform).collect();
-    Ok(Made { bytes: archive.finish()?, platforms, guid })
+    let fmi = if version == Version::Two { "2\n" } else { "3\n" };
+    archive.add("sources/lib/fmi", fmi.as_bytes())?;
+    for (name, text) in kernel::files() {
+        archive.add(&format!("sources/kernel/{name}"), text.as_bytes())?;
+    }
+    Ok(())
 }
 
 /// Path of the kernel as one object file, below `sources`.

@@ -190,129 +190,174 @@ fn prefix(corner: usize, four: bool) -> String {
     if four { format!("{}.", CORNERS[corner]) } else { String::new() }
 }
 
+/// Variables that every corner has, whatever its damper.
+struct FixedBlock {
+    corner: usize,
+    four: bool,
+    scales: Scales,
+    units: HostUnits,
+}
+
+/// Kind, name, start value, unit and description of a variable.
+type BlockRow = (Kind, String, Option<f64>, Unit, String);
+
 fn fixed_block(corner: usize, four: bool, scales: Scales) -> Vec<Variable> {
-    let in_out = |one: &str, many: &str| if four { format!("{many}_{}", CORNERS[corner]) } else { one.to_owned() };
-    let inner = |name: &str| prefix(corner, four) + name;
-    let sign =
-        |scale: f64, positive: &'static str, negative: &'static str| if scale > 0.0 { positive } else { negative };
-    let motion = sign(scales.motion, "extension positive", "compression positive");
-    let force = sign(scales.force, "tension positive", "push positive");
-    let units = HostUnits::from_scales(scales);
-    // If the unit is not declared, the description of the variable states the conversion factor.
-    let untold = |unit: &Unit, words: String| if unit.is_declared() { String::new() } else { words };
-    let (m, n) = (scales.motion.abs(), scales.force.abs());
-    let of_displacement = untold(&units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
-    let of_velocity = untold(&units.velocity(), format!("; 1 stands for {m:?} m/s of the damper"));
-    let of_force = untold(&units.force(), format!("; 1 N of the damper is {n:?} here"));
-    let of_slope = |si: &str| {
-        let factor = scales.force * scales.motion;
-        untold(&units.stiffness(), format!(", both as they are counted here; 1 {si} of the damper is {factor:?} here"))
-    };
-    let rows: [(Kind, String, Option<f64>, Unit, String); 14] = [
-        (
-            Kind::Displacement,
-            in_out("displacement", "Damper_Jounce"),
-            Some(scales.start),
-            units.displacement(),
-            format!("displacement of the damper, {motion}{of_displacement}"),
-        ),
-        (
-            Kind::Velocity,
-            in_out("velocity", "Damper_Jounce_Rate"),
-            Some(0.0),
-            units.velocity(),
-            format!("velocity of the damper, {motion}{of_velocity}"),
-        ),
-        (Kind::SideForce, in_out("side_force", "Damper_Side_Force"), Some(0.0), "N".into(), "side force on the rod".into()),
-        (
-            Kind::Temperature,
-            in_out("temperature", "Damper_Temperature"),
-            Some(20.0),
-            "degC".into(),
-            "temperature of the damper".into(),
-        ),
-        (Kind::Force, in_out("force", "Damper_Force"), None, units.force(), format!("damper force, {force}{of_force}")),
-        (
-            Kind::DForceDDisplacement,
-            in_out("d_force_d_displacement", "Damper_Force_by_Jounce"),
-            None,
-            units.stiffness(),
-            format!("partial derivative of the force with respect to the displacement{}", of_slope("N/m")),
-        ),
-        (
-            Kind::DForceDVelocity,
-            in_out("d_force_d_velocity", "Damper_Force_by_Jounce_Rate"),
-            None,
-            units.damping(),
-            format!("partial derivative of the force with respect to the velocity{}", of_slope("N s/m")),
-        ),
-        (
-            Kind::Status,
-            in_out("status", "Damper_Status"),
-            None,
-            "-".into(),
-            "0, warning bits of dashpot.h (1: faster than the identified curve), or 65536: input rejected, force unchanged"
-                .into(),
-        ),
-        (
-            Kind::MotionScale,
-            inner("motion_scale"),
-            Some(scales.motion),
-            "-".into(),
-            "m of damper extension per unit of displacement: sign, unit and motion ratio; displacement and velocity are declared in the unit of its start value"
-                .into(),
-        ),
-        (
-            Kind::ForceScale,
-            inner("force_scale"),
-            Some(scales.force),
-            "-".into(),
-            "force per N of damper tension: sign, unit and motion ratio; the force is declared in the unit of its start value"
-                .into(),
-        ),
-        (
-            Kind::PositionOffset,
-            inner("position_offset"),
-            Some(scales.position_offset),
-            "m".into(),
-            "extension of the damper, from the rig's zero, where the importer's displacement is 0".into(),
-        ),
-        (
-            Kind::HasDisplacement,
-            inner("displacement_given"),
-            Some(1.0),
-            "-".into(),
-            "true: the displacement is an input; false: it is integrated from initial_position".into(),
-        ),
-        (
-            Kind::InitialPosition,
-            inner("initial_position"),
-            Some(0.0),
-            "m".into(),
-            "extension at the start, from the rig's zero, if the displacement is no input".into(),
-        ),
-        (
-            Kind::SpeedMargin,
-            inner("speed_margin"),
-            None,
-            "m/s".into(),
-            "distance of the damper's velocity to the end of the identified curve; negative outside; 1 if the curve has no end"
-                .into(),
-        ),
-    ];
-    rows.into_iter()
-        .map(|(kind, name, start, unit, meaning)| Variable {
-            kind,
-            corner: Some(corner),
-            index: None,
-            name,
-            parameter: None,
-            start,
-            unit,
-            meaning,
-            nominal: None,
-        })
-        .collect()
+    let block = FixedBlock { corner, four, scales, units: HostUnits::from_scales(scales) };
+    let rows = block.inputs().into_iter().chain(block.outputs()).chain(block.constants());
+    rows.map(|(kind, name, start, unit, meaning)| Variable {
+        kind,
+        corner: Some(corner),
+        index: None,
+        name,
+        parameter: None,
+        start,
+        unit,
+        meaning,
+        nominal: None,
+    })
+    .collect()
+}
+
+impl FixedBlock {
+    /// Returns the name of an input or an output: `one` for a single damper, and `many` with its corner for a vehicle.
+    fn in_out(&self, one: &str, many: &str) -> String {
+        if self.four { format!("{many}_{}", CORNERS[self.corner]) } else { one.to_owned() }
+    }
+
+    /// Returns the name of a constant.
+    fn inner(&self, name: &str) -> String {
+        prefix(self.corner, self.four) + name
+    }
+
+    fn inputs(&self) -> [BlockRow; 4] {
+        let motion = if self.scales.motion > 0.0 { "extension positive" } else { "compression positive" };
+        let m = self.scales.motion.abs();
+        let of_displacement = undeclared(&self.units.displacement(), format!("; 1 stands for {m:?} m of the damper"));
+        let of_velocity = undeclared(&self.units.velocity(), format!("; 1 stands for {m:?} m/s of the damper"));
+        [
+            (
+                Kind::Displacement,
+                self.in_out("displacement", "Damper_Jounce"),
+                Some(self.scales.start),
+                self.units.displacement(),
+                format!("displacement of the damper, {motion}{of_displacement}"),
+            ),
+            (
+                Kind::Velocity,
+                self.in_out("velocity", "Damper_Jounce_Rate"),
+                Some(0.0),
+                self.units.velocity(),
+                format!("velocity of the damper, {motion}{of_velocity}"),
+            ),
+            (
+                Kind::SideForce,
+                self.in_out("side_force", "Damper_Side_Force"),
+                Some(0.0),
+                "N".into(),
+                "side force on the rod".into(),
+            ),
+            (
+                Kind::Temperature,
+                self.in_out("temperature", "Damper_Temperature"),
+                Some(20.0),
+                "degC".into(),
+                "temperature of the damper".into(),
+            ),
+        ]
+    }
+
+    fn outputs(&self) -> [BlockRow; 4] {
+        let force = if self.scales.force > 0.0 { "tension positive" } else { "push positive" };
+        let n = self.scales.force.abs();
+        let of_force = undeclared(&self.units.force(), format!("; 1 N of the damper is {n:?} here"));
+        [
+            (Kind::Force, self.in_out("force", "Damper_Force"), None, self.units.force(), format!("damper force, {force}{of_force}")),
+            (
+                Kind::DForceDDisplacement,
+                self.in_out("d_force_d_displacement", "Damper_Force_by_Jounce"),
+                None,
+                self.units.stiffness(),
+                format!("partial derivative of the force with respect to the displacement{}", self.of_slope("N/m")),
+            ),
+            (
+                Kind::DForceDVelocity,
+                self.in_out("d_force_d_velocity", "Damper_Force_by_Jounce_Rate"),
+                None,
+                self.units.damping(),
+                format!("partial derivative of the force with respect to the velocity{}", self.of_slope("N s/m")),
+            ),
+            (
+                Kind::Status,
+                self.in_out("status", "Damper_Status"),
+                None,
+                "-".into(),
+                "0, warning bits of dashpot.h (1: faster than the identified curve), or 65536: input rejected, force unchanged"
+                    .into(),
+            ),
+        ]
+    }
+
+    /// Describes the unit of a derivative of the force whose unit in SI is `si`.
+    fn of_slope(&self, si: &str) -> String {
+        let factor = self.scales.force * self.scales.motion;
+        let words = format!(", both as they are counted here; 1 {si} of the damper is {factor:?} here");
+        undeclared(&self.units.stiffness(), words)
+    }
+
+    fn constants(&self) -> [BlockRow; 6] {
+        [
+            (
+                Kind::MotionScale,
+                self.inner("motion_scale"),
+                Some(self.scales.motion),
+                "-".into(),
+                "m of damper extension per unit of displacement: sign, unit and motion ratio; displacement and velocity are declared in the unit of its start value"
+                    .into(),
+            ),
+            (
+                Kind::ForceScale,
+                self.inner("force_scale"),
+                Some(self.scales.force),
+                "-".into(),
+                "force per N of damper tension: sign, unit and motion ratio; the force is declared in the unit of its start value"
+                    .into(),
+            ),
+            (
+                Kind::PositionOffset,
+                self.inner("position_offset"),
+                Some(self.scales.position_offset),
+                "m".into(),
+                "extension of the damper, from the rig's zero, where the importer's displacement is 0".into(),
+            ),
+            (
+                Kind::HasDisplacement,
+                self.inner("displacement_given"),
+                Some(1.0),
+                "-".into(),
+                "true: the displacement is an input; false: it is integrated from initial_position".into(),
+            ),
+            (
+                Kind::InitialPosition,
+                self.inner("initial_position"),
+                Some(0.0),
+                "m".into(),
+                "extension at the start, from the rig's zero, if the displacement is no input".into(),
+            ),
+            (
+                Kind::SpeedMargin,
+                self.inner("speed_margin"),
+                None,
+                "m/s".into(),
+                "distance of the damper's velocity to the end of the identified curve; negative outside; 1 if the curve has no end"
+                    .into(),
+            ),
+        ]
+    }
+}
+
+/// Returns the words for a unit that the FMU does not declare. The description of the variable then states the conversion factor.
+fn undeclared(unit: &Unit, words: String) -> String {
+    if unit.is_declared() { String::new() } else { words }
 }
 
 /// Returns the nominal values of the states. Each is the power of ten at or below the state's largest absolute value on a typical stroke.

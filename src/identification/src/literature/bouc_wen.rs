@@ -8,7 +8,7 @@
 
 use super::bristle::Shape;
 use super::law::{Law, Number};
-use super::observation::{Motion, Scales};
+use super::observation::{SampledMotion, Scales};
 use serde::{Deserialize, Serialize};
 
 /// Parameters of the Bouc-Wen model.
@@ -68,7 +68,7 @@ impl Law for BoucWen {
         }
     }
 
-    fn forces(&self, motion: &Motion) -> Vec<f64> {
+    fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         let (x, v) = (&motion.displacement, &motion.velocity);
         let shape = Shape { sharpness: self.sharpness, turning: self.beta };
         motion.run(0.0f64, |z, i| {

@@ -7,7 +7,7 @@
 //! travel δ, and f₀ is a constant force.
 
 use super::law::{Law, Number};
-use super::observation::{Motion, Scales};
+use super::observation::{SampledMotion, Scales};
 use serde::{Deserialize, Serialize};
 
 /// Parameters of the Dahl model.
@@ -44,7 +44,7 @@ impl Law for Dahl {
         Dahl { friction_n: n[0], stick_distance_m: n[1], stiffness_n_m: n[2], damping_n_s_m: n[3], offset_n: n[4] }
     }
 
-    fn forces(&self, motion: &Motion) -> Vec<f64> {
+    fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         let (x, v) = (&motion.displacement, &motion.velocity);
         motion.run(0.0f64, |z, i| {
             if i > 0 {

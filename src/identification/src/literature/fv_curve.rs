@@ -8,7 +8,7 @@
 //! Vehicle models use such a curve today. Every fit, report and validation compares the identified model with this curve.
 
 use super::law::options;
-use super::observation::{Motion, Observation};
+use super::observation::{Observation, SampledMotion};
 use dashpot_core::Params;
 use dashpot_core::curve::{Curve, Interpolation, MAX_POINTS, NEAREST};
 use dashpot_core::{element, list, number};
@@ -215,7 +215,7 @@ pub fn fit(tests: &[Observation]) -> FvCurve {
 
 impl FvCurve {
     /// Returns the force of the curve at every sample of a motion, N.
-    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+    pub fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         match Curve::new(&self.velocity_m_s, &self.force_n, Interpolation::MonotoneCubic) {
             Ok(curve) => motion.velocity.iter().map(|v| curve.evaluate(*v).value - self.gas_force_n).collect(),
             Err(_) => vec![f64::NAN; motion.velocity.len()],

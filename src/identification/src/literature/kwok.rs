@@ -7,7 +7,7 @@
 //! middle of each motion. The paper needs no such middle, because all motions on its rig have the same middle.
 
 use super::law::{Law, Number};
-use super::observation::{Motion, Scales};
+use super::observation::{SampledMotion, Scales};
 use serde::{Deserialize, Serialize};
 
 /// Parameters of Kwok's model.
@@ -60,7 +60,7 @@ impl Law for Kwok {
         }
     }
 
-    fn forces(&self, motion: &Motion) -> Vec<f64> {
+    fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         let middle = motion.middle();
         let sign = |x: f64| if x > middle { 1.0 } else { -1.0 };
         motion

@@ -5,7 +5,7 @@
 //! and the time constant T. Here the time constant changes over a ramp from low to high speed, because a jump makes the model unstable.
 
 use super::law::{self, Law, Number};
-use super::observation::{Motion, Observation, Scales};
+use super::observation::{Observation, SampledMotion, Scales};
 use dashpot_core::Params;
 use dashpot_core::{element, list, number};
 use nalgebra::{DMatrix, DVector};
@@ -156,14 +156,14 @@ impl<const N: usize> Law for WithTerms<N> {
         })
     }
 
-    fn forces(&self, motion: &Motion) -> Vec<f64> {
+    fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         self.0.forces(motion)
     }
 }
 
 impl LaggedPolynomial {
     /// Returns the force of the model at every sample of a motion, N.
-    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+    pub fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         let v = &motion.velocity;
         motion.run(self.polynomial(v[0]), |y, i| {
             if i > 0 && motion.dt[i] > 0.0 {

@@ -1,6 +1,6 @@
 //! Least-squares identification of models that consist of a formula: their parameters, starts and residuals.
 
-use super::observation::{Motion, Observation, Scales};
+use super::observation::{Observation, SampledMotion, Scales};
 use dashpot_estimation::solve::{Bounds, Loss, Options, Residuals, solve_from};
 use dashpot_records::restrict;
 use nalgebra::{DMatrix, DVector};
@@ -86,7 +86,7 @@ pub trait Law: Sized + Send + Sync + 'static {
     fn from_numbers(numbers: &[f64], scales: &Scales) -> Self;
 
     /// Returns the force of the model at every sample of a motion, N.
-    fn forces(&self, motion: &Motion) -> Vec<f64>;
+    fn forces(&self, motion: &SampledMotion) -> Vec<f64>;
 }
 
 /// Weighted residual above which the Huber loss grows linearly instead of quadratically. The value is large, because a poor model has large
@@ -104,7 +104,7 @@ pub fn options() -> Options {
 }
 
 /// Function that returns the force of a law with its parameters at every sample of a motion, N.
-type Forces = Box<dyn Fn(&Motion) -> Vec<f64> + Send + Sync>;
+type Forces = Box<dyn Fn(&SampledMotion) -> Vec<f64> + Send + Sync>;
 
 /// Least-squares problem of one law. All laws share this code, which is compiled once.
 struct LawProblem<'a> {

@@ -38,7 +38,7 @@ mod restoring_force_surface;
 mod spencer;
 
 use dashpot_core::Params;
-use observation::{Motion, Observation};
+use observation::{Observation, SampledMotion};
 use serde::{Deserialize, Serialize};
 
 /// A model of the literature with its parameters.
@@ -143,7 +143,7 @@ impl Literature {
     }
 
     /// Returns the force of the model at every sample of a motion, N.
-    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+    pub fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         use law::Law as _;
         match self {
             Literature::Fv(model) => model.forces(motion),

@@ -9,7 +9,7 @@
 //! starts. Thus, equal tests give equal networks.
 
 use super::law::options;
-use super::observation::{Motion, Observation, Scales};
+use super::observation::{Observation, SampledMotion, Scales};
 use dashpot_estimation::solve::{Bounds, Options, Prior, Residuals, solve_from};
 use nalgebra::DMatrix;
 use serde::{Deserialize, Serialize};
@@ -45,7 +45,7 @@ const SAMPLES: usize = 6000;
 const SIZE: usize = 5 * NEURONS + 4;
 
 /// Computes the acceleration at the samples by central differences of velocity, m/s².
-fn acceleration(motion: &Motion) -> Vec<f64> {
+fn acceleration(motion: &SampledMotion) -> Vec<f64> {
     let (v, dt) = (&motion.velocity, &motion.dt);
     let n = v.len();
     (0..n)
@@ -180,7 +180,7 @@ pub fn fit(tests: &[Observation]) -> Option<Network> {
 }
 
 impl Network {
-    fn inputs(&self, motion: &Motion, acceleration: &[f64]) -> Vec<[f64; 3]> {
+    fn inputs(&self, motion: &SampledMotion, acceleration: &[f64]) -> Vec<[f64; 3]> {
         let [x, v, a] = self.input_scale;
         (0..motion.dt.len())
             .map(|i| [(motion.displacement[i] - self.middle_m) / x, motion.velocity[i] / v, acceleration[i] / a])
@@ -188,7 +188,7 @@ impl Network {
     }
 
     /// Returns the force of the network at every sample of a motion, N.
-    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+    pub fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         self.inputs(motion, &acceleration(motion))
             .iter()
             .map(|u| {

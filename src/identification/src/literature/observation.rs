@@ -9,7 +9,7 @@ use dashpot_records::smoothing::smooth;
 
 /// Motion of the rig at the samples of a test.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
+pub struct SampledMotion {
     /// Time from the preceding sample to each sample, s. The first value is 0.
     pub dt: Vec<f64>,
     /// Displacement, m.
@@ -27,7 +27,7 @@ pub struct Observation {
     /// Name of the test.
     pub name: String,
     /// Motion of the rig.
-    pub motion: Motion,
+    pub motion: SampledMotion,
     /// Measured force, N.
     pub force: Vec<f64>,
     /// Index of the first scored sample. The transient of a model decays during the samples before it.
@@ -39,13 +39,13 @@ pub struct Observation {
 /// Largest difference of two samples whole cycles apart at which a motion counts as periodic, as a fraction of the range of the motion.
 const SAME: f64 = 0.05;
 
-impl Motion {
+impl SampledMotion {
     /// Makes the smoothed motion of a record at its own samples.
-    pub fn from_record(record: &Record) -> Motion {
+    pub fn from_record(record: &Record) -> SampledMotion {
         let smoothed = smooth(record);
         let dt = std::iter::once(0.0).chain(record.time.windows(2).map(|w| w[1] - w[0])).collect();
         let returns = record.cycles.first().filter(|c| c.start == 0 && c.end < record.time.len()).map(|c| c.end);
-        Motion { dt, displacement: smoothed.displacement, velocity: smoothed.velocity, returns }
+        SampledMotion { dt, displacement: smoothed.displacement, velocity: smoothed.velocity, returns }
     }
 
     /// Simulates a model with internal state along the motion.
@@ -100,7 +100,7 @@ fn observation(segment: &Segment) -> Observation {
     let periodic = returns > 0 && near(&displacement) && near(&velocity);
     Observation {
         name: segment.name.clone(),
-        motion: Motion { dt: segment.dt.clone(), displacement, velocity, returns: periodic.then_some(returns) },
+        motion: SampledMotion { dt: segment.dt.clone(), displacement, velocity, returns: periodic.then_some(returns) },
         force: segment.force.clone(),
         from: segment.from,
         scale: segment.scale,

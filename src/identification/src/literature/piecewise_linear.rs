@@ -5,7 +5,7 @@
 //! the curve passes through the origin.
 
 use super::law::{Law, Number};
-use super::observation::{Motion, Scales};
+use super::observation::{SampledMotion, Scales};
 use dashpot_core::{Params, element, number, parameter};
 use serde::{Deserialize, Serialize};
 
@@ -99,7 +99,7 @@ impl Law for PiecewiseLinear {
         }
     }
 
-    fn forces(&self, motion: &Motion) -> Vec<f64> {
+    fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         motion.velocity.iter().map(|v| self.at(*v)).collect()
     }
 }

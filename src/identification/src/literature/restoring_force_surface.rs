@@ -6,7 +6,7 @@
 //! The force is linear in the coefficients. The degrees in displacement and in velocity are those with the best prediction of left-out
 //! tests. Beyond the ranges of the tests the surface is constant, because a polynomial would diverge.
 
-use super::observation::{Motion, Observation, range};
+use super::observation::{Observation, SampledMotion, range};
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
@@ -56,7 +56,7 @@ fn solve(square: &DMatrix<f64>, right: &DVector<f64>) -> Option<DVector<f64>> {
 
 /// Identifies the surface from tests. Returns `None` if the normal equations of the surface cannot be solved.
 pub fn fit(tests: &[Observation]) -> Option<Surface> {
-    let all = |of: fn(&Motion) -> &Vec<f64>| -> [f64; 2] {
+    let all = |of: fn(&SampledMotion) -> &Vec<f64>| -> [f64; 2] {
         let values: Vec<f64> = tests.iter().flat_map(|t| of(&t.motion)[t.from..].iter().copied()).collect();
         let (low, high) = range(&values);
         [low, high]
@@ -134,7 +134,7 @@ pub fn fit(tests: &[Observation]) -> Option<Surface> {
 
 impl Surface {
     /// Returns the force of the surface at every sample of a motion, N.
-    pub fn forces(&self, motion: &Motion) -> Vec<f64> {
+    pub fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         let nx = self.coefficients_n.len().saturating_sub(1);
         let nv = self.coefficients_n.first().map_or(0, |row| row.len().saturating_sub(1));
         motion

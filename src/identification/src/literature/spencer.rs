@@ -10,7 +10,7 @@
 use super::bouc_wen::BoucWen;
 use super::bristle::{Shape, phi};
 use super::law::{self, Law, Number};
-use super::observation::{Motion, Observation, Scales};
+use super::observation::{Observation, SampledMotion, Scales};
 use serde::{Deserialize, Serialize};
 
 /// Parameters of Spencer's model.
@@ -132,7 +132,7 @@ impl Law for Spencer {
         }
     }
 
-    fn forces(&self, motion: &Motion) -> Vec<f64> {
+    fn forces(&self, motion: &SampledMotion) -> Vec<f64> {
         let (x, v) = (&motion.displacement, &motion.velocity);
         let shape = Shape { sharpness: self.sharpness, turning: self.beta };
         let sum = self.inner_damping_n_s_m + self.series_damping_n_s_m;

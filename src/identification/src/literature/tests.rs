@@ -10,7 +10,7 @@ fn tests_of(model: &Literature, plan: &[(f64, f64)]) -> Vec<Observation> {
         .map(|(amplitude, frequency)| {
             let n = 161;
             let t = |i: usize| i as f64 / 80.0 / frequency;
-            let motion = Motion {
+            let motion = SampledMotion {
                 dt: (0..n).map(|i| if i == 0 { 0.0 } else { 1.0 / 80.0 / frequency }).collect(),
                 displacement: (0..n).map(|i| amplitude * libm::sin(TAU * frequency * t(i)) + 0.004).collect(),
                 velocity: (0..n).map(|i| amplitude * TAU * frequency * libm::cos(TAU * frequency * t(i))).collect(),

@@ -1,7 +1,7 @@
 //! Protocol of a campaign: plan of the tests, their execution, and the measured channels.
 
-pub mod motion;
 pub mod plan;
+pub mod waveform;
 
 use crate::LabError;
 use crate::draw::Draw;

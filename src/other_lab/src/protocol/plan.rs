@@ -1,6 +1,6 @@
 //! Plans: the tests of a campaign.
 
-use super::motion::Motion;
+use super::waveform::Waveform;
 use serde::{Deserialize, Serialize};
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ pub struct Test {
     /// Name of the test and of its file.
     pub name: String,
     /// Motion of the moving end.
-    pub motion: Motion,
+    pub motion: Waveform,
     /// Mean displacement from mid-stroke, m.
     pub mean: f64,
     /// Side force on the rod, N.
@@ -105,7 +105,7 @@ fn sine(prefix: &str, (amplitude, frequency, mean, side): Row) -> Test {
     let loaded = if side == 0.0 { String::new() } else { format!("_side{side}N") };
     Test {
         name: format!("{prefix}sine_{amplitude}mm_{frequency}Hz{place}{loaded}"),
-        motion: Motion::Sine { amplitude: amplitude * 1e-3, frequency },
+        motion: Waveform::Sine { amplitude: amplitude * 1e-3, frequency },
         mean: mean * 1e-3,
         side,
         left_out: prefix == LEFT_OUT_PREFIX,
@@ -116,7 +116,7 @@ fn sine(prefix: &str, (amplitude, frequency, mean, side): Row) -> Test {
 fn road(prefix: &str, number: u64, displacement: f64, velocity: f64, mean: f64, side: f64, seconds: f64) -> Test {
     Test {
         name: format!("{prefix}road_{number}"),
-        motion: Motion::Road { displacement, velocity, seconds, seed: number },
+        motion: Waveform::Road { displacement, velocity, seconds, seed: number },
         mean,
         side,
         left_out: prefix == LEFT_OUT_PREFIX,
@@ -178,12 +178,12 @@ impl Plan {
             Plan::Ramps => {
                 let triangle = |amplitude: f64, frequency: f64| Test {
                     name: format!("triangle_{amplitude}mm_{frequency}Hz"),
-                    motion: Motion::Triangle { amplitude: amplitude * 1e-3, frequency },
+                    motion: Waveform::Triangle { amplitude: amplitude * 1e-3, frequency },
                     ..sine("", row(amplitude, frequency))
                 };
                 let sweep = |prefix: &str, amplitude: f64, frequencies: (f64, f64)| Test {
                     name: format!("{prefix}sweep_{amplitude}mm_{}_{}Hz", frequencies.0, frequencies.1),
-                    motion: Motion::Sweep { amplitude: amplitude * 1e-3, frequencies, seconds: 12.0 },
+                    motion: Waveform::Sweep { amplitude: amplitude * 1e-3, frequencies, seconds: 12.0 },
                     ..sine(prefix, row(amplitude, frequencies.0))
                 };
                 references(20.0, 1.3)

@@ -14,7 +14,7 @@ use super::{common_clock, date_agreement};
 use crate::checks::sign::{self, SignFinding};
 use crate::checks::{deviating_tests, force_levels, force_offset, plausibility, truncated_test, unit_magnitude};
 use crate::cleaning;
-use crate::data::complete_motion::Motion;
+use crate::data::complete_test::CompleteTest;
 use crate::data::record::{Note, Record};
 use crate::data::rig_frame::RigFrame;
 use crate::data::samples::Samples;
@@ -191,9 +191,13 @@ fn sort_out<'a>(
 }
 
 /// Repairs the pieces and completes their motion.
-fn mend(pieces: Vec<WithOptions<Samples>>, counter: &Counter, sieve: &mut Sieve) -> Result<Vec<Motion>, RecordError> {
+fn mend(
+    pieces: Vec<WithOptions<Samples>>,
+    counter: &Counter,
+    sieve: &mut Sieve,
+) -> Result<Vec<CompleteTest>, RecordError> {
     let reach = pieces.iter().fold(cleaning::Reach::default(), |reach, (_, piece)| reach.with(piece));
-    let mended: Vec<Result<Motion, RecordError>> = pieces
+    let mended: Vec<Result<CompleteTest, RecordError>> = pieces
         .into_par_iter()
         .map(|(options, test)| {
             let mended = cleaning::mend(test, options, &reach);
@@ -201,7 +205,7 @@ fn mend(pieces: Vec<WithOptions<Samples>>, counter: &Counter, sieve: &mut Sieve)
             mended
         })
         .collect();
-    let motions: Vec<Motion> =
+    let motions: Vec<CompleteTest> =
         mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<_, _>>()?;
     sieve.reject_most(motions.len())?;
     Ok(motions)
@@ -209,7 +213,7 @@ fn mend(pieces: Vec<WithOptions<Samples>>, counter: &Counter, sieve: &mut Sieve)
 
 /// Makes the records. `rig` is the sign convention of the files and the delay of the force.
 fn finish(
-    motions: Vec<Motion>,
+    motions: Vec<CompleteTest>,
     options: &Options,
     rig: (&SignFinding, Option<Delay>),
     sieve: &mut Sieve,
@@ -303,7 +307,7 @@ const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_veloci
 
 /// Copies the notes about files and their division into tests to the front of the campaign's notes. Equal notes of one
 /// file appear once.
-fn tell_splits(motions: &[Motion], notes: &mut Vec<Note>) {
+fn tell_splits(motions: &[CompleteTest], notes: &mut Vec<Note>) {
     let mut told: Vec<Note> = Vec::new();
     for motion in motions {
         for note in motion.notes.iter().filter(|n| OF_THE_FILE.contains(&n.kind)) {

@@ -15,7 +15,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::cleaning::delay_motion;
 use crate::cleaning::swapped_columns::Overtones;
-use crate::data::complete_motion::Motion;
+use crate::data::complete_test::CompleteTest;
 use crate::data::record::{Counted, Note};
 use crate::error::{PlausibilityError, RecordError};
 use crate::messages::newtons::newtons;
@@ -77,7 +77,7 @@ struct Evidence {
 /// Also detects a delay of the force channel. The delay is removed for the estimate of the direction, but the motions
 /// retain it.
 pub(crate) fn settle(
-    motions: &mut [Motion],
+    motions: &mut [CompleteTest],
     options: &Options,
     notes: &mut Vec<Note>,
 ) -> Result<(SignFinding, Option<Delay>), RecordError> {
@@ -115,7 +115,7 @@ pub(crate) fn settle(
 }
 
 /// Gathers the evidence of all tests, and the campaign's force at standstill with its uncertainty, N.
-fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
+fn weigh(motions: &[CompleteTest]) -> (Vec<Evidence>, Option<(f64, f64)>) {
     // A force at standstill below the expected offset of the load cell is no evidence of gas.
     let offset = load_cell::offset(motions.iter().flat_map(|m| &m.force).fold(0.0, |most: f64, f| most.max(f.abs())));
     let mut evidence: Vec<Evidence> = motions.iter().map(|motion| gather(motion, offset)).collect();
@@ -131,7 +131,7 @@ fn weigh(motions: &[Motion]) -> (Vec<Evidence>, Option<(f64, f64)>) {
 /// Returns the delay of the force, if significant, and adds a note about it. Rejects tests that feed energy for a
 /// reason other than a delay.
 fn lateness(
-    motions: &[Motion],
+    motions: &[CompleteTest],
     evidence: &[Evidence],
     standstill: Option<(f64, f64)>,
     options: &Options,
@@ -190,7 +190,7 @@ fn signed(force: f64) -> String {
     format!("{}{}", if force < 0.0 { "-" } else { "+" }, newtons(force.abs(), 0))
 }
 
-fn gather(motion: &Motion, offset: f64) -> Evidence {
+fn gather(motion: &CompleteTest, offset: f64) -> Evidence {
     let span = motion.steady();
     let (time, x, v, force) = (
         &motion.time[span.clone()],
@@ -251,7 +251,7 @@ fn standstill(evidence: &[Evidence]) -> Option<(f64, f64)> {
 
 /// Returns the median force in one direction, N, at speeds between two fractions of the speed `peak`, m/s. Returns
 /// `None` for fewer than [`FEWEST`] samples.
-fn level(motion: &Motion, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
+fn level(motion: &CompleteTest, positive: bool, peak: f64, [from, to]: [f64; 2]) -> Option<f64> {
     let span = motion.steady();
     let is_there = |v: f64| (v > 0.0) == positive && (from * peak..=to * peak).contains(&v.abs());
     let mut forces: Vec<f64> = span.filter(|&i| is_there(motion.velocity[i])).map(|i| motion.force[i]).collect();
@@ -267,14 +267,14 @@ struct Slow {
 }
 
 impl Slow {
-    fn of(motion: &Motion, peak: f64) -> Slow {
+    fn of(motion: &CompleteTest, peak: f64) -> Slow {
         Slow { peak, forces: [true, false].map(|positive| level(motion, positive, peak, [FAST, f64::INFINITY])) }
     }
 }
 
 /// Computes the increase of a test's force from low to high speed in each direction, N. Returns `None` if the force at
 /// one of the speeds is unknown. `others` supply the force at low speed if the test has no slow samples.
-fn growth(motion: &Motion, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
+fn growth(motion: &CompleteTest, peak: f64, others: &[Slow]) -> Option<[f64; 2]> {
     let of = |positive: bool| {
         let fast = level(motion, positive, peak, [FAST, f64::INFINITY])?;
         let of_others = || {
@@ -352,7 +352,7 @@ fn describe_standstill(standstill: Option<(f64, f64)>) -> Sentence {
 /// Returns the natural logarithm of the ratio of damping forces at positive and negative velocity. A damping force is
 /// the 95 % quantile of the absolute deviation from the force at standstill, N. Returns `None` for fewer than ten
 /// samples in a direction.
-fn asymmetry(motion: &Motion, standstill: f64) -> Option<f64> {
+fn asymmetry(motion: &CompleteTest, standstill: f64) -> Option<f64> {
     let span = motion.steady();
     let side = |positive: bool| -> Option<f64> {
         let mut forces: Vec<f64> = span
@@ -556,11 +556,11 @@ mod tests {
 
     /// Makes three tests of one damper, recorded by a rig that multiplies force and motion by the given signs.
     /// `preload` is the force at standstill, N.
-    fn campaign(force: f64, motion: f64, preload: f64) -> Vec<Motion> {
+    fn campaign(force: f64, motion: f64, preload: f64) -> Vec<CompleteTest> {
         campaign_read(force, motion, preload, &Options::default())
     }
 
-    fn campaign_read(force: f64, motion: f64, preload: f64, options: &Options) -> Vec<Motion> {
+    fn campaign_read(force: f64, motion: f64, preload: f64, options: &Options) -> Vec<CompleteTest> {
         [0.02, 0.4, 2.0]
             .iter()
             .enumerate()
@@ -577,9 +577,9 @@ mod tests {
     }
 
     fn settled(
-        mut motions: Vec<Motion>,
+        mut motions: Vec<CompleteTest>,
         options: &Options,
-    ) -> Result<(SignFinding, Vec<Motion>, Vec<Note>), RecordError> {
+    ) -> Result<(SignFinding, Vec<CompleteTest>, Vec<Note>), RecordError> {
         let mut notes = Vec::new();
         settle(&mut motions, options, &mut notes).map(|(finding, _)| (finding, motions, notes))
     }
@@ -644,7 +644,7 @@ mod tests {
 
     /// Makes tests of a nonlinear damper, some of them with exchanged force and displacement. The units stay the same,
     /// and `sign` multiplies the displacement that is read as force.
-    fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<Motion> {
+    fn exchanged_campaign(exchanged: &[bool], sign: f64) -> Vec<CompleteTest> {
         let mut motions = Vec::new();
         for (k, &swap) in exchanged.iter().enumerate() {
             let mut samples = SineTest { frequency: 0.5 + 0.5 * k as f64, ..SineTest::default() }.samples();
@@ -685,7 +685,7 @@ mod tests {
     #[test]
     fn a_late_force_is_told_and_left_as_it_is() {
         for (late, feeds) in [(0.015, false), (0.045, true)] {
-            let mut motions: Vec<Motion> = [0.5, 3.0, 9.0]
+            let mut motions: Vec<CompleteTest> = [0.5, 3.0, 9.0]
                 .iter()
                 .map(|&frequency| {
                     let test = SineTest { frequency, amplitude: 0.1 / (1.0 + 4.0 * frequency), ..SineTest::default() };
@@ -725,7 +725,7 @@ mod tests {
     /// Finds the positive direction of a device in sine or triangular motion at three speeds. `force` computes the
     /// force, N, from the velocity, m/s.
     fn device(triangle: bool, force: impl Fn(f64) -> f64) -> SignFinding {
-        let motions: Vec<Motion> = [0.4, 1.5, 2.0]
+        let motions: Vec<CompleteTest> = [0.4, 1.5, 2.0]
             .iter()
             .map(|&frequency| {
                 let mut samples = SineTest { frequency, ..SineTest::default() }.samples();

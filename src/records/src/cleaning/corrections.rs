@@ -1,7 +1,7 @@
 //! Applies the user's corrections of the sensors to a test: zeros, gains, signs and a delay of the force. A mass on the
 //! load cell is only stored here, and `cleaning::finish` corrects its inertia force.
 
-use super::{Motion, cycles};
+use super::{CompleteTest, cycles};
 use crate::data::record::Note;
 use crate::data::samples::Samples;
 use crate::messages::phrases;
@@ -23,7 +23,7 @@ pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
 /// Applies the corrections of the options, in the file's own directions, with a note for each.
 ///
 /// Returns the range of the remaining samples. The delay correction leaves the other samples without a motion.
-pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<usize> {
+pub(crate) fn apply(motion: &mut CompleteTest, options: &Options) -> std::ops::Range<usize> {
     let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.force_zero_n != 0.0 {
         motion.force.iter_mut().for_each(|f| *f -= options.force_zero_n);
@@ -66,7 +66,7 @@ pub(crate) fn apply(motion: &mut Motion, options: &Options) -> std::ops::Range<u
 /// Pairs every force sample with the motion `delay` seconds earlier. Removes samples without such a motion.
 ///
 /// Returns the range of the original samples that remain.
-pub(crate) fn delay_motion(motion: &mut Motion, delay: f64) -> std::ops::Range<usize> {
+pub(crate) fn delay_motion(motion: &mut CompleteTest, delay: f64) -> std::ops::Range<usize> {
     let earlier = DelayedMotion::new(&motion.time, delay);
     motion.displacement = earlier.values(&motion.displacement);
     motion.velocity = earlier.values(&motion.velocity);

@@ -19,7 +19,7 @@ mod still;
 pub(crate) mod swapped_columns;
 mod trim;
 
-use crate::data::complete_motion::{Motion, steady};
+use crate::data::complete_test::{CompleteTest, steady};
 use crate::data::cycle::Cycle;
 use crate::data::measurement_error::MeasurementError;
 use crate::data::record::{Note, Record};
@@ -65,7 +65,7 @@ pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Sa
 
 /// Cleans a single test with all steps that precede the determination of its campaign's positive direction.
 #[cfg(test)]
-pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, RecordError> {
+pub(crate) fn repair(samples: Samples, options: &Options) -> Result<CompleteTest, RecordError> {
     let mut pieces = sort_out(samples, options)?;
     assert_eq!(pieces.len(), 1, "gaps in {pieces:?}");
     mend(pieces.remove(0), options, &Reach::default())
@@ -74,7 +74,7 @@ pub(crate) fn repair(samples: Samples, options: &Options) -> Result<Motion, Reco
 /// Cleans a test before the sign convention of its campaign (positive in rebound or in compression) is determined.
 /// Repairs single samples, derives a missing motion channel and applies the user's corrections. `reach` is the range of
 /// the motion over all tests of the campaign.
-pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Result<Motion, RecordError> {
+pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Result<CompleteTest, RecordError> {
     enough(&samples)?;
     still::refuse(&samples)?;
     frozen::refuse(&samples)?;
@@ -88,7 +88,7 @@ pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Re
     let used = replaced.into_iter().filter(|(channel, _)| *channel != Channel::Velocity || velocity_window_s == 0.0);
     samples.notes.splice(before..before, used.map(|(_, text)| Note { kind: "outlier", text }));
     let (setting, setting_signal) = set_to::take(&mut samples, &options.settings);
-    let mut motion = Motion {
+    let mut motion = CompleteTest {
         at: samples.at,
         name: samples.name,
         time: samples.time,
@@ -260,7 +260,7 @@ pub(crate) fn cycles_of(time: &[f64], displacement: &[f64]) -> Vec<std::ops::Ran
 
 /// Completes the cleaning of a rebound-positive test. Removes standstill and ramps, finds whole cycles and computes the
 /// characteristic values of the test.
-pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
+pub(crate) fn finish(mut motion: CompleteTest) -> Result<Record, RecordError> {
     // If the setting changes during a test, its cycles differ. The test then stays whole, like a road test.
     motion.cycles = match motion.setting_signal {
         Some(_) => Vec::new(),
@@ -273,7 +273,7 @@ pub(crate) fn finish(mut motion: Motion) -> Result<Record, RecordError> {
     if motion.time.len() < FEWEST && untrimmed {
         motion = whole;
     }
-    let Motion {
+    let CompleteTest {
         at,
         name,
         time,

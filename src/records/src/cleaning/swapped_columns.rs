@@ -1,6 +1,6 @@
 //! Rejects exchanged headings: a time that does not increase, or a displacement with the properties of a force.
 
-use crate::data::complete_motion::Motion;
+use crate::data::complete_test::CompleteTest;
 use crate::data::cycle::Cycle;
 use crate::data::samples::Samples;
 use crate::error::{PlausibilityError, RecordError};
@@ -100,7 +100,7 @@ impl Overtones {
     }
 
     /// Computes the harmonics over the whole cycles of a test. Returns `None` without cycles or with too few samples.
-    pub fn measure(motion: &Motion) -> Option<Overtones> {
+    pub fn measure(motion: &CompleteTest) -> Option<Overtones> {
         let of = |values: &[f64]| {
             let mut shares: Vec<f64> =
                 motion.cycles.iter().filter_map(|c| overtones(&motion.time, values, c)).collect();

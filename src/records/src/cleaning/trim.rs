@@ -1,7 +1,7 @@
 //! Removes everything but whole cycles: standstill and run-up before them, run-down and standstill after them, and a
 //! noisy last cycle.
 
-use crate::data::complete_motion::Motion;
+use crate::data::complete_test::CompleteTest;
 use crate::data::cycle::Cycle;
 use crate::data::record::Note;
 use crate::messages::phrases;
@@ -11,7 +11,7 @@ use crate::tuning::trim::NOISY;
 use dashpot_messages::{Sentence, format_decimals};
 
 /// Trims the test to its whole cycles, with notes. A test that is not periodic stays whole.
-pub(crate) fn trim(motion: &mut Motion) {
+pub(crate) fn trim(motion: &mut CompleteTest) {
     let n = motion.time.len();
     if motion.cycles.is_empty() {
         motion.notes.push(Note { kind: "not_periodic", text: Sentence::from(phrases::NO_CYCLES).with("samples", n) });
@@ -61,7 +61,7 @@ pub(crate) fn trim(motion: &mut Motion) {
 
 /// Removes a last cycle that the stopping of the rig disturbs. The comparison with the other cycles requires four or
 /// more cycles.
-fn drop_noisy_last(motion: &mut Motion) {
+fn drop_noisy_last(motion: &mut CompleteTest) {
     let count = motion.cycles.len();
     if count < 4 {
         return;

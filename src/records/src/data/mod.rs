@@ -1,6 +1,6 @@
 //! The stages of a test's data: samples as read, the complete motion, and the cleaned record.
 
-pub(crate) mod complete_motion;
+pub(crate) mod complete_test;
 pub(crate) mod cycle;
 pub(crate) mod measurement_error;
 pub mod record;

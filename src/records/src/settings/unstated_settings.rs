@@ -42,7 +42,7 @@ pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     if notes.iter().any(|note| ["settings", "changing_setting"].contains(&note.kind)) {
         return;
     }
-    let motions: Vec<Motion> = records.iter().map(Motion::of).collect();
+    let motions: Vec<TestConditions> = records.iter().map(TestConditions::of).collect();
     let mut pairs = Vec::new();
     for (i, a) in motions.iter().enumerate() {
         for (j, b) in motions.iter().enumerate() {
@@ -132,7 +132,7 @@ struct Settings {
 }
 
 impl Settings {
-    fn of(records: &[Record], motions: &[Motion], seen: &[Levels]) -> Settings {
+    fn of(records: &[Record], motions: &[TestConditions], seen: &[Levels]) -> Settings {
         // Tests of one motion, each with the natural logarithm of the ratio of its damping force to that of the first
         // test.
         let mut alike: Vec<Vec<(f64, usize)>> = Vec::new();
@@ -218,7 +218,7 @@ fn nearest(settings: &[Vec<usize>], test: usize, seen: &[Levels]) -> Option<usiz
 }
 
 /// Mean motion and load of a test: amplitude, m, velocity, m/s, position, m, side force, N, and temperature, °C.
-struct Motion {
+struct TestConditions {
     amplitude: f64,
     peak_velocity: f64,
     is_periodic: bool,
@@ -227,10 +227,10 @@ struct Motion {
     temperature: Option<f64>,
 }
 
-impl Motion {
-    fn of(record: &Record) -> Motion {
+impl TestConditions {
+    fn of(record: &Record) -> TestConditions {
         let mean = |values: &[f64]| values.iter().filter(|v| v.is_finite()).sum::<f64>() / values.len().max(1) as f64;
-        Motion {
+        TestConditions {
             amplitude: record.amplitude,
             peak_velocity: record.peak_velocity,
             is_periodic: record.frequency > 0.0,
@@ -241,7 +241,7 @@ impl Motion {
     }
 
     /// Returns whether another test has a similar motion, position, side force and temperature.
-    fn is_like(&self, other: &Motion) -> bool {
+    fn is_like(&self, other: &TestConditions) -> bool {
         let alike = |a: f64, b: f64| a > 0.0 && b > 0.0 && (a - b).abs() <= SAME * a.max(b);
         let near = |a: Option<f64>, b: Option<f64>, within: f64| match (a, b) {
             (Some(a), Some(b)) => (a - b).abs() <= within,

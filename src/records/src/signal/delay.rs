@@ -8,7 +8,7 @@
 use nalgebra::{DMatrix, DVector};
 use serde::{Deserialize, Serialize};
 
-use crate::data::complete_motion::Motion;
+use crate::data::complete_test::CompleteTest;
 use crate::tuning::delay::{BETTER, CLEARLY, LONGEST, NODES, SAMPLES, SHORTEST_REPORTED, STEP, TELLING, UNCLEAR};
 
 /// Delay of the force channel, as the records of a campaign show it.
@@ -26,7 +26,7 @@ pub struct Delay {
 struct Thinned<'a> {
     /// Index of the test in the campaign.
     index: usize,
-    motion: &'a Motion,
+    motion: &'a CompleteTest,
     /// Time, s, and force, N, of the selected samples.
     samples: Vec<(f64, f64)>,
     /// Standard deviation of the force of this test, N.
@@ -60,13 +60,13 @@ pub(crate) enum Cause {
 
 /// Returns the delay of tests that feed no energy. Returns `None` if no delay fits the tests, or if the delay is
 /// shorter than [`SHORTEST_REPORTED`] or hardly reduces the unexplained force variance.
-pub(crate) fn find(motions: &[Motion]) -> Option<Delay> {
+pub(crate) fn find(motions: &[CompleteTest]) -> Option<Delay> {
     let delay = best(&thin(motions), &[])?;
     (delay.seconds >= SHORTEST_REPORTED && delay.unexplained < BETTER * delay.unexplained_as_recorded).then_some(delay)
 }
 
 /// Determines why the tests with the indices `feeding` feed energy to the rig: a delay of the force or a reversed sign.
-pub(crate) fn cause(motions: &[Motion], feeding: &[usize]) -> Cause {
+pub(crate) fn cause(motions: &[CompleteTest], feeding: &[usize]) -> Cause {
     let tests = thin(motions);
     // A delay with which an FV curve explains no force variance is not the cause. A reversed sign is then assumed.
     let Some(delay) = best(&tests, &[]).filter(|delay| delay.unexplained < 1.0) else { return Cause::Sign };
@@ -102,8 +102,8 @@ fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
     Some(Delay { seconds, unexplained_as_recorded: at(0), unexplained: at(least) })
 }
 
-fn thin(motions: &[Motion]) -> Vec<Thinned<'_>> {
-    let telling = |motion: &Motion| match (motion.cycles.first(), motion.cycles.last()) {
+fn thin(motions: &[CompleteTest]) -> Vec<Thinned<'_>> {
+    let telling = |motion: &CompleteTest| match (motion.cycles.first(), motion.cycles.last()) {
         (Some(first), Some(last)) => {
             let period = (last.end_time - first.start_time) / motion.cycles.len() as f64;
             LONGEST > TELLING * period
@@ -210,7 +210,7 @@ mod tests {
     use crate::options::Options;
 
     /// Makes tests at the given frequencies, Hz. The force has the delay `late`, s, and is multiplied by `factor`.
-    fn tests(frequencies: &[f64], late: f64, factor: f64) -> Vec<Motion> {
+    fn tests(frequencies: &[f64], late: f64, factor: f64) -> Vec<CompleteTest> {
         frequencies
             .iter()
             .map(|&frequency| {

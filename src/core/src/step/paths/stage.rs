@@ -4,7 +4,7 @@ use super::on_mass::{MassForces, MassStart};
 use super::{Balance, Carried, Known, MovedFrom, REACH, StageDerivatives};
 use crate::assembly::Elements;
 use crate::dual::Dual;
-use crate::element::{Motion, Response};
+use crate::element::{OperatingPoint, Response};
 use crate::elements::bushing::Relaxed;
 use crate::input::PathPoint;
 use crate::math::min;
@@ -458,8 +458,52 @@ impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
 fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, temperature): (f64, f64)) -> Response {
     let at = if x < driven - REACH { driven - REACH } else { x };
     let at = if at > driven + REACH { driven + REACH } else { at };
-    let near = e.on_the_mass(&Motion { displacement: at, velocity: u, side_force, temperature });
+    let near = e.on_the_mass(&OperatingPoint { displacement: at, velocity: u, side_force, temperature });
     Response { force: near.force + near.d_force_d_x * (x - at), ..near }
+}
+
+/// Flows that the force of the valves drives, and the velocity of the mass that follows.
+struct Flows {
+    /// Velocity of the mass, m/s.
+    u: f64,
+    u_by_force: f64,
+    column: Column,
+    past: Past,
+    void: f64,
+    void_by: [f64; 3],
+    oil_void_by: [f64; 3],
+}
+
+impl Flows {
+    /// Evaluates the flows at the force of the valves, N, and the oil velocity `w`, m/s.
+    #[inline(always)]
+    fn stage<const ON: u32>(e: &Paths<impl Tables>, given: &StageInputs<impl Tables>, force: f64, w: f64) -> Flows {
+        let (mut u, mut u_by_force) = (w, 0.0);
+        let mut column = Column::NONE;
+        if acts::<ON>(e, COLUMN) {
+            column = Column::stage::<ON>(e, force, [given.from, given.path.x], given.states[place::COLUMN]);
+            u += column.change * given.per_g;
+            u_by_force += column.change_by[0] * given.per_g;
+        }
+        let mut past = Past::NONE;
+        if acts::<ON>(e, GROOVE | PASSAGE) {
+            past = Past::stage::<ON>(e, force, given.path.x, given.states[place::SELECTIVE], given.g);
+            u += past.flow;
+            u_by_force += past.flow_by[0];
+        }
+        let (mut void, mut void_by, mut oil_void_by) = (0.0, [0.0; 3], [0.0; 3]);
+        if acts::<ON>(e, CAVITATION) {
+            let (force, v) = (Dual::<3>::along(force, 0), Dual::along(given.path.v, 1));
+            let before = Dual::along(given.states[place::VOID], 2) + e.cavitation.lags(v) * given.g;
+            let after = e.cavitation.stage(force, v, before, given.g);
+            let oils = after - before;
+            (void, void_by, oil_void_by) = (after.value, after.derivatives, oils.derivatives);
+            let per = given.per_g * e.cavitation.sign;
+            u += oils.value * per;
+            u_by_force += oil_void_by[0] * per;
+        }
+        Flows { u, u_by_force, column, past, void, void_by, oil_void_by }
+    }
 }
 
 impl StageAtVelocity {
@@ -524,7 +568,6 @@ impl StageAtVelocity {
         let StageInputs {
             elements,
             path,
-            from,
             side,
             states: known,
             on_mass,
@@ -534,34 +577,13 @@ impl StageAtVelocity {
             per_g,
             standing,
             factors,
+            ..
         } = given;
         let (g, per_g, side) = (*g, *per_g, *side);
         let leaks = acts::<ON>(e, COLUMN);
         let valves = Valves::stage::<ON>(e, factors, [curve, *standing, w], known, [g, *since], raised, leaks);
-        let (mut u, mut u_by_force) = (w, 0.0);
-        let mut column = Column::NONE;
-        if acts::<ON>(e, COLUMN) {
-            column = Column::stage::<ON>(e, valves.force, [*from, path.x], known[place::COLUMN]);
-            u += column.change * per_g;
-            u_by_force += column.change_by[0] * per_g;
-        }
-        let mut past = Past::NONE;
-        if acts::<ON>(e, GROOVE | PASSAGE) {
-            past = Past::stage::<ON>(e, valves.force, path.x, known[place::SELECTIVE], g);
-            u += past.flow;
-            u_by_force += past.flow_by[0];
-        }
-        let (mut void, mut void_by, mut oil_void_by) = (0.0, [0.0; 3], [0.0; 3]);
-        if acts::<ON>(e, CAVITATION) {
-            let (force, v) = (Dual::<3>::along(valves.force, 0), Dual::along(path.v, 1));
-            let before = Dual::along(known[place::VOID], 2) + e.cavitation.lags(v) * g;
-            let after = e.cavitation.stage(force, v, before, g);
-            let oils = after - before;
-            (void, void_by, oil_void_by) = (after.value, after.derivatives, oils.derivatives);
-            let per = per_g * e.cavitation.sign;
-            u += oils.value * per;
-            u_by_force += oil_void_by[0] * per;
-        }
+        let flows = Flows::stage::<ON>(e, given, valves.force, w);
+        let Flows { mut u, u_by_force, column, past, void, void_by, oil_void_by } = flows;
         let (mut relaxed, mut relaxing, mut relaxing_by_rate) = (Relaxed::NONE, 0.0, 0.0);
         let mut states_on_mass = MassForces::NONE;
         let (residual, x, law, at, resists);

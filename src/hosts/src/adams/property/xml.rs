@@ -38,11 +38,24 @@ fn apart(note: &str) -> String {
 /// The errors of [`super::read`].
 pub fn read(text: &str) -> anyhow::Result<Properties> {
     let document = Document::parse(text)?;
+    let file = File { document: &document, damper: find_damper(&document)?, units: units_of(&document)? };
+    let mut notes = file.describe_unknown();
+    let (curve, linear) = file.curve()?;
+    let gas_force = file.gas_force(&mut notes)?;
+    Ok(Properties { curve, linear, gas_force, notes })
+}
+
+/// Returns the line of a node, from 1.
+fn line(document: &Document, node: &Node) -> usize {
+    document.text_pos_at(node.range().start).row as usize
+}
+
+/// Finds the only damper of a document.
+fn find_damper<'a>(document: &'a Document<'a>) -> anyhow::Result<Node<'a, 'a>> {
     let is_damper = |n: &Node| n.is_element() && ["DamperProperties", "StrutProperties"].contains(&n.tag_name().name());
-    let line = |node: &Node| document.text_pos_at(node.range().start).row as usize;
     let dampers: Vec<Node> = document.descendants().filter(is_damper).collect();
-    let damper = match dampers[..] {
-        [damper] => damper,
+    match dampers[..] {
+        [damper] => Ok(damper),
         [] => {
             let root = document.root_element().tag_name().name().to_owned();
             let held: Vec<&str> = document
@@ -56,30 +69,49 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
         }
         // A file with several dampers describes a whole vehicle, such as the send file of VI-CarRealTime.
         _ => {
-            let lines: Vec<String> = dampers.iter().map(|d| line(d).to_string()).collect();
+            let lines: Vec<String> = dampers.iter().map(|d| line(document, d).to_string()).collect();
             bail!(
                 "there are {} dampers in it, at lines {}, and which is meant is not known; give the damper's own property file",
                 dampers.len(),
                 lines.join(", ")
             )
         }
-    };
+    }
+}
+
+/// Reads the units of a document.
+fn units_of(document: &Document) -> anyhow::Result<Units> {
     let setting = |name: &str| {
         document.descendants().find(|n| n.tag_name().name() == "UnitSetting" && n.attribute("name") == Some(name))
     };
     let unit = |name: &str, factor: fn(&str) -> anyhow::Result<f64>| {
         let node = setting(name).with_context(|| format!("its units lack {name}"))?;
-        let at = || format!("line {}", line(&node));
+        let at = || format!("line {}", line(document, &node));
         factor(node.attribute("current").unwrap_or_default()).with_context(at)
     };
-    let units = Units {
+    Ok(Units {
         length: unit("length", units::length)?,
         time: unit("time", units::time)?,
         force: unit("force", units::force)?,
-    };
-    let mut notes = Vec::new();
-    for attribute in damper.attributes() {
-        let known = [
+    })
+}
+
+/// Property file with its damper.
+struct File<'a> {
+    document: &'a Document<'a>,
+    damper: Node<'a, 'a>,
+    units: Units,
+}
+
+impl<'a> File<'a> {
+    /// Returns the line of the damper.
+    fn line(&self) -> usize {
+        line(self.document, &self.damper)
+    }
+
+    /// Describes the attributes and elements of the damper that have no counterpart in the properties.
+    fn describe_unknown(&self) -> Vec<String> {
+        const ATTRIBUTES: [&str; 8] = [
             "active",
             "definition",
             "userDefined",
@@ -89,73 +121,86 @@ pub fn read(text: &str) -> anyhow::Result<Properties> {
             "gasPreloadMethod",
             "gasPreloadConstant",
         ];
-        if !known.contains(&attribute.name()) {
-            notes.push(format!("{} = {}", attribute.name(), attribute.value()));
+        let attributes = self.damper.attributes().filter(|attribute| !ATTRIBUTES.contains(&attribute.name()));
+        let mut notes: Vec<String> =
+            attributes.map(|attribute| format!("{} = {}", attribute.name(), attribute.value())).collect();
+        for other in self.damper.children().filter(Node::is_element) {
+            let name = other.attribute("name").unwrap_or_default();
+            if other.tag_name().name() != "Spline" || !["spline_data", "gasPreloadForceCurve"].contains(&name) {
+                notes.push(format!("<{}> {name}", other.tag_name().name()));
+            }
         }
+        notes
     }
-    let number = |name: &str| -> anyhow::Result<f64> {
-        let text = damper.attribute(name).unwrap_or("0").trim();
+
+    /// Reads a number from an attribute of the damper, 0 if it is missing.
+    fn number(&self, name: &str) -> anyhow::Result<f64> {
+        let text = self.damper.attribute(name).unwrap_or("0").trim();
         let value = text.parse::<f64>().ok().filter(|n| n.is_finite());
-        value.with_context(|| format!("line {}: {name} = \"{text}\" is no number", line(&damper)))
-    };
-    let spline =
-        |name: &str| damper.children().find(|n| n.tag_name().name() == "Spline" && n.attribute("name") == Some(name));
-    for other in damper.children().filter(Node::is_element) {
-        let name = other.attribute("name").unwrap_or_default();
-        if other.tag_name().name() != "Spline" || !["spline_data", "gasPreloadForceCurve"].contains(&name) {
-            notes.push(format!("<{}> {name}", other.tag_name().name()));
+        value.with_context(|| format!("line {}: {name} = \"{text}\" is no number", self.line()))
+    }
+
+    fn spline(&self, name: &str) -> anyhow::Result<Node<'a, 'a>> {
+        let is_it = |n: &Node| n.tag_name().name() == "Spline" && n.attribute("name") == Some(name);
+        let found = self.damper.children().find(is_it);
+        found.with_context(|| format!("line {}: no Spline named {name}", self.line()))
+    }
+
+    /// Reads the FV curve, and whether it is interpolated linearly.
+    fn curve(&self) -> anyhow::Result<(Curve, bool)> {
+        // Files contain `dampingMethod` or `method`. If a file has both, `dampingMethod` counts, because it is the newer
+        // one.
+        let method = self.damper.attribute("dampingMethod").or(self.damper.attribute("method"));
+        match method.unwrap_or("non_linear") {
+            "linear" => {
+                let units = &self.units;
+                let rate = self.number("rate")? * units.force * units.time / units.length;
+                if !(rate > 0.0) {
+                    bail!("line {}: a linear damper needs a rate above 0", self.line());
+                }
+                // The curve is extrapolated linearly beyond its points, so any velocities suffice.
+                Ok((Curve { velocities: vec![-1.0, 0.0, 1.0], forces: vec![-rate, 0.0, rate] }, true))
+            }
+            "non_linear" => {
+                let node = self.spline("spline_data")?;
+                let mut curve = table(self.document, &node, &self.units, true)?;
+                if curve.velocities.len() < 2 {
+                    bail!("line {}: spline_data has fewer than two rows", line(self.document, &node));
+                }
+                curve.velocities.shrink_to_fit();
+                Ok((curve, node.attribute("interpolation_method") == Some("linear")))
+            }
+            other => bail!("line {}: dampingMethod \"{other}\" is not known (linear, non_linear)", self.line()),
         }
     }
-    // Files contain `dampingMethod` or `method`. If a file has both, `dampingMethod` counts, because it is the newer
-    // one.
-    let method = damper.attribute("dampingMethod").or(damper.attribute("method")).unwrap_or("non_linear");
-    let (curve, straight) = match method {
-        "linear" => {
-            let rate = number("rate")? * units.force * units.time / units.length;
-            if !(rate > 0.0) {
-                bail!("line {}: a linear damper needs a rate above 0", line(&damper));
+
+    /// Reads the gas force, N. Adds a note if the force of the file changes with the length.
+    fn gas_force(&self, notes: &mut Vec<String>) -> anyhow::Result<f64> {
+        match self.damper.attribute("gasPreloadMethod").unwrap_or("none") {
+            "none" => Ok(0.0),
+            "constant" => Ok(self.number("gasPreloadConstant")? * self.units.force),
+            "non_linear" => {
+                let node = self.spline("gasPreloadForceCurve")?;
+                let gas = table(self.document, &node, &self.units, false)?;
+                let at = gas.velocities.iter().position(|x| *x >= 0.0).unwrap_or(0);
+                let Some(force) = gas.forces.get(at) else {
+                    bail!("line {}: gasPreloadForceCurve has no row", line(self.document, &node));
+                };
+                if gas.forces.iter().any(|f| f != force) {
+                    notes.push(format!(
+                        "how the gas force changes with length, {:?} to {:?} N (it is taken as {force:?} N throughout, its value at 0; \
+                         give gas_spring a stiffness for the rest)",
+                        gas.forces[0],
+                        gas.forces[gas.forces.len() - 1]
+                    ));
+                }
+                Ok(*force)
             }
-            // The curve is extrapolated linearly beyond its points, so any velocities suffice.
-            (Curve { velocities: vec![-1.0, 0.0, 1.0], forces: vec![-rate, 0.0, rate] }, true)
-        }
-        "non_linear" => {
-            let node = spline("spline_data")
-                .with_context(|| format!("line {}: no Spline named spline_data", line(&damper)))?;
-            let mut curve = table(&document, &node, &units, true)?;
-            if curve.velocities.len() < 2 {
-                bail!("line {}: spline_data has fewer than two rows", line(&node));
+            other => {
+                bail!("line {}: gasPreloadMethod \"{other}\" is not known (none, constant, non_linear)", self.line())
             }
-            curve.velocities.shrink_to_fit();
-            (curve, node.attribute("interpolation_method") == Some("linear"))
         }
-        other => bail!("line {}: dampingMethod \"{other}\" is not known (linear, non_linear)", line(&damper)),
-    };
-    let gas_force = match damper.attribute("gasPreloadMethod").unwrap_or("none") {
-        "none" => 0.0,
-        "constant" => number("gasPreloadConstant")? * units.force,
-        "non_linear" => {
-            let node = spline("gasPreloadForceCurve")
-                .with_context(|| format!("line {}: no Spline named gasPreloadForceCurve", line(&damper)))?;
-            let gas = table(&document, &node, &units, false)?;
-            let at = gas.velocities.iter().position(|x| *x >= 0.0).unwrap_or(0);
-            let Some(force) = gas.forces.get(at) else {
-                bail!("line {}: gasPreloadForceCurve has no row", line(&node));
-            };
-            if gas.forces.iter().any(|f| f != force) {
-                notes.push(format!(
-                    "how the gas force changes with length, {:?} to {:?} N (it is taken as {force:?} N throughout, its value at 0; \
-                     give gas_spring a stiffness for the rest)",
-                    gas.forces[0],
-                    gas.forces[gas.forces.len() - 1]
-                ));
-            }
-            *force
-        }
-        other => {
-            bail!("line {}: gasPreloadMethod \"{other}\" is not known (none, constant, non_linear)", line(&damper))
-        }
-    };
-    Ok(Properties { curve, linear: straight, gas_force, notes })
+    }
 }
 
 /// Reads the rows of a spline, and converts them to SI units. Its abscissa is a velocity if `over_velocity` is set, and a length otherwise.

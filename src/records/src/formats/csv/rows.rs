@@ -227,6 +227,7 @@ impl TableReader<'_> {
         (self.start.index + position.line() as usize + empty, offset)
     }
 
+    #[inline]
     fn is_text(&self, record: &ByteRecord, column: &Column) -> bool {
         !is_figure(cell(record, column.index), self.decimal_comma)
     }
@@ -266,7 +267,7 @@ impl TableReader<'_> {
     fn is_usable(&mut self, record: &ByteRecord, line: usize) -> bool {
         let (found, expected) = (record.len(), self.start.header.len());
         let surplus = || record.iter().skip(expected).map(String::from_utf8_lossy).filter(|f| !f.trim().is_empty());
-        if surplus().next().is_none() {
+        if found <= expected || surplus().next().is_none() {
             return true;
         }
         // If the delimiter is a comma, decimal commas split every number in two. The parts then contain no point.
@@ -279,6 +280,7 @@ impl TableReader<'_> {
     }
 
     /// Reads the values of a row.
+    #[inline]
     fn read_values(&mut self, record: &ByteRecord, line: usize) -> Result<(), RecordError> {
         if let Some(column) = self.rows.layout().columns.iter().find(|c| c.clock).map(|c| c.index)
             && (self.rows.is_empty() || self.rows.dates.is_open())
@@ -299,6 +301,7 @@ impl TableReader<'_> {
     }
 
     /// Begins another test if the time restarts below a repeated header. `offset` is that of the row in the file.
+    #[inline]
     fn split_tests(&mut self, offset: usize) {
         let time = self.rows.layout().columns.iter().position(|c| c.channel == Channel::Time).map(|i| self.values[i]);
         if self.blocks.begins_anew(time) {

@@ -8,7 +8,7 @@ use std::f64::consts::TAU;
 /// A motion about the mean displacement.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
 #[serde(rename_all = "snake_case", tag = "kind")]
-pub enum Motion {
+pub enum Waveform {
     /// A sine.
     Sine {
         /// Amplitude, m.
@@ -56,7 +56,7 @@ const FADE: f64 = 0.5;
 /// A motion prepared for evaluation.
 #[derive(Debug, Clone)]
 pub struct Ready {
-    motion: Motion,
+    motion: Waveform,
     mean: f64,
     rest: f64,
     cycles: f64,
@@ -64,13 +64,13 @@ pub struct Ready {
     waves: Vec<[f64; 3]>,
 }
 
-impl Motion {
+impl Waveform {
     /// Returns the longest step of the simulation of this motion, s.
     pub fn longest_step(&self) -> f64 {
         match self {
-            Motion::Sine { frequency, .. } => 1.0 / (110.0 * frequency),
-            Motion::Triangle { frequency, .. } => 1.0 / (200.0 * frequency),
-            Motion::Sweep { .. } | Motion::Road { .. } => 2e-3,
+            Waveform::Sine { frequency, .. } => 1.0 / (110.0 * frequency),
+            Waveform::Triangle { frequency, .. } => 1.0 / (200.0 * frequency),
+            Waveform::Sweep { .. } | Waveform::Road { .. } => 2e-3,
         }
     }
 
@@ -78,15 +78,15 @@ impl Motion {
     /// this is its whole duration.
     pub fn seconds(&self, cycles: f64) -> f64 {
         match self {
-            Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => cycles / frequency,
-            Motion::Sweep { seconds, .. } | Motion::Road { seconds, .. } => *seconds,
+            Waveform::Sine { frequency, .. } | Waveform::Triangle { frequency, .. } => cycles / frequency,
+            Waveform::Sweep { seconds, .. } | Waveform::Road { seconds, .. } => *seconds,
         }
     }
 
     /// Returns the duration of the fade-in before the full motion, s: one cycle of a sine or triangle, otherwise 0.
     pub fn run_up(&self) -> f64 {
         match self {
-            Motion::Sine { frequency, .. } | Motion::Triangle { frequency, .. } => 1.0 / frequency,
+            Waveform::Sine { frequency, .. } | Waveform::Triangle { frequency, .. } => 1.0 / frequency,
             _ => 0.0,
         }
     }
@@ -95,7 +95,7 @@ impl Motion {
     /// `rest`, s, and has `cycles` cycles.
     pub fn ready(&self, mean: f64, rest: f64, cycles: f64) -> Ready {
         let mut ready = Ready { motion: *self, mean, rest, cycles, waves: Vec::new() };
-        if let Motion::Road { displacement, velocity, seconds, seed } = *self {
+        if let Waveform::Road { displacement, velocity, seconds, seed } = *self {
             let mut d = Draw::new(seed, "road");
             let ratio = libm::log(25.0 / 0.5) / WAVES as f64;
             let drawn: Vec<[f64; 2]> =
@@ -138,21 +138,21 @@ impl Ready {
             return Jet::constant(self.mean);
         }
         let moved = match self.motion {
-            Motion::Sine { amplitude, frequency } => {
+            Waveform::Sine { amplitude, frequency } => {
                 since.times(TAU * frequency).sin().times(amplitude) * since.times(frequency).smooth_step()
             }
-            Motion::Triangle { amplitude, frequency } => {
+            Waveform::Triangle { amplitude, frequency } => {
                 let wave = since.times(TAU * frequency).sin().times(SHARP).asin().times(amplitude / libm::asin(SHARP));
                 wave * since.times(frequency).smooth_step()
             }
-            Motion::Sweep { amplitude, frequencies: (from, to), seconds } => {
+            Waveform::Sweep { amplitude, frequencies: (from, to), seconds } => {
                 let rate = libm::log(to / from) / seconds;
                 let growth = libm::exp(rate * since.x);
                 let growth = since.times(rate).through(growth, growth, growth);
                 let phase = (growth - Jet::constant(1.0)).times(TAU * from / rate);
                 phase.sin() * growth.powf(-1.0).times(amplitude) * self.fades(since, seconds)
             }
-            Motion::Road { seconds, .. } => {
+            Waveform::Road { seconds, .. } => {
                 let sum = self.waves.iter().fold(Jet::constant(0.0), |sum, [size, omega, phase]| {
                     let (s, c) = (omega * since.x + phase).sin_cos();
                     sum + Jet { x: size * s, v: size * omega * c, a: -size * omega * omega * s }
@@ -181,10 +181,10 @@ mod tests {
     #[test]
     fn velocity_and_acceleration_belong_to_displacement() {
         for motion in [
-            Motion::Sine { amplitude: 0.02, frequency: 2.0 },
-            Motion::Triangle { amplitude: 0.02, frequency: 1.0 },
-            Motion::Sweep { amplitude: 0.02, frequencies: (0.5, 10.0), seconds: 5.0 },
-            Motion::Road { displacement: 0.03, velocity: 0.8, seconds: 5.0, seed: 4 },
+            Waveform::Sine { amplitude: 0.02, frequency: 2.0 },
+            Waveform::Triangle { amplitude: 0.02, frequency: 1.0 },
+            Waveform::Sweep { amplitude: 0.02, frequencies: (0.5, 10.0), seconds: 5.0 },
+            Waveform::Road { displacement: 0.03, velocity: 0.8, seconds: 5.0, seed: 4 },
         ] {
             let ready = motion.ready(0.01, 0.2, 3.0);
             let h = 1e-6;
@@ -202,7 +202,7 @@ mod tests {
 
     #[test]
     fn roads_keep_their_limits_and_use_one() {
-        let road = Motion::Road { displacement: 0.03, velocity: 0.8, seconds: 10.0, seed: 7 }.ready(0.0, 0.2, 1.0);
+        let road = Waveform::Road { displacement: 0.03, velocity: 0.8, seconds: 10.0, seed: 7 }.ready(0.0, 0.2, 1.0);
         let all: Vec<Jet> = (0..10_200).map(|i| road.evaluate(f64::from(i) * 1e-3)).collect();
         let x = all.iter().fold(0.0f64, |m, at| m.max(at.x.abs())) / 0.03;
         let v = all.iter().fold(0.0f64, |m, at| m.max(at.v.abs())) / 0.8;

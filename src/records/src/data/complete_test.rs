@@ -10,7 +10,7 @@ use crate::quantities::setting_value::Setting;
 
 /// A test with valid samples and complete motion, with the signs of the file and without trimming.
 #[derive(Debug, Clone)]
-pub(crate) struct Motion {
+pub(crate) struct CompleteTest {
     pub at: Place,
     pub name: String,
     pub time: Vec<f64>,
@@ -34,7 +34,7 @@ pub(crate) struct Motion {
     pub notes: Vec<Note>,
 }
 
-impl Motion {
+impl CompleteTest {
     /// Returns the sample range of the steady part: from the first whole cycle to the last, or all samples if there are
     /// no cycles.
     pub fn steady(&self) -> std::ops::Range<usize> {
