@@ -102,6 +102,8 @@ setting = Einstellung
 # What its slider shows.
 setting-hint = Der Dämpfer auf dem Bildschirm, bei einem Wert seiner Einstellung. Versuche ohne Angabe werden mit ihm verglichen.
 # Whether each test is compared with the damper at its own setting.
+test-setting-hint = Einstellung des Dämpfers in diesem Versuch, in ihrer Einheit. Ein leeres Feld heißt, dass der Versuch keine hat. Die Eingabetaste wendet sie an, und die Messungen werden neu gelesen
+setting-as-read = Einstellung wie in Kanal und Name des Versuchs
 own-settings = Jeder Versuch bei seiner Einstellung
 own-settings-hint = Versuche mit eigener Einstellung werden mit dem Dämpfer dort verglichen; der Schieber gilt für die übrigen. Aus: alle Versuche beim Schieber.
 # Why its slider stands still.

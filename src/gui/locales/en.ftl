@@ -102,6 +102,8 @@ setting = setting
 # What its slider shows.
 setting-hint = The damper on screen, at one value of its setting. Tests that state none are compared with it.
 # Whether each test is compared with the damper at its own setting.
+test-setting-hint = Setting of the damper in this test, in its unit. An empty field means that the test has none. Enter applies it, and the records are read again
+setting-as-read = Setting as channel and name of the test state it
 own-settings = Each test at its own setting
 own-settings-hint = Tests whose records state a setting are compared with the damper there; the slider holds for the others. Off: all tests at the slider.
 # Why its slider stands still.

@@ -102,6 +102,8 @@ setting = réglage
 # What its slider shows.
 setting-hint = L’amortisseur à l’écran, à une valeur de son réglage. Les essais qui n’en indiquent aucun lui sont comparés.
 # Whether each test is compared with the damper at its own setting.
+test-setting-hint = Réglage de l’amortisseur dans cet essai, dans son unité. Un champ vide signifie que l’essai n’en a pas. Entrée l’applique, et les enregistrements sont relus
+setting-as-read = Réglage d’après la voie et le nom de l’essai
 own-settings = Chaque essai à son réglage
 own-settings-hint = Les essais qui indiquent un réglage sont comparés à l’amortisseur à ce réglage ; le curseur vaut pour les autres. Désactivé : tous les essais au réglage du curseur.
 # Why its slider stands still.

@@ -102,6 +102,8 @@ setting = 设置
 # What its slider shows.
 setting-hint = 屏幕上的减振器，取其设置的某一值。未注明设置的试验与它比较。
 # Whether each test is compared with the damper at its own setting.
+test-setting-hint = 本试验中减振器的设定值及其单位。留空表示本试验没有设定值。按回车键应用，并重新读取记录
+setting-as-read = 恢复为通道和试验名称所示的设定值
 own-settings = 各试验按其自身设置
 own-settings-hint = 注明设置的试验与该设置下的减振器比较；滑块用于其余试验。关闭：所有试验均按滑块。
 # Why its slider stands still.

@@ -163,7 +163,9 @@ impl App {
         let Some(first) = paths.first().cloned() else { return };
         let session = &mut self.session;
         match ask {
-            Ask::Folder | Ask::Files => session.open_records(paths, dashpot_records::Options::default()),
+            Ask::Folder | Ask::Files => {
+                session.open_records(paths, dashpot_records::Options::default());
+            }
             Ask::Reference => session.open_reference(paths),
             Ask::Model => session.replace(Replacement::File(first)),
             Ask::Dimensions => {

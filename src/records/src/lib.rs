@@ -60,11 +60,12 @@ pub use quantities::channel::{Channel, assignment};
 pub use quantities::load_cell;
 pub use quantities::reading::{Reading, digits, round_figure};
 pub use quantities::reading_unit::reading_unit;
-pub use quantities::setting_value::{
-    Setting, SettingRules, is_same_setting, restate_in_unit, setting_factor, setting_in_words,
-};
+pub use quantities::setting_rules::SettingRules;
+pub use quantities::setting_value::{Setting, is_same_setting, restate_in_unit, setting_factor, setting_in_words};
+pub use quantities::stated_setting::{StatedSetting, WITHOUT_SETTING};
 pub use quantities::unit::{Dimension, Unit};
-pub use settings::assignment::{WITHOUT_SETTING, not_one_damper, records_without_setting, unread_current};
+pub use settings::assignment::{not_one_damper, records_without_setting, unread_current};
+pub use settings::correction::correct_setting;
 pub use signal::delay::Delay;
 pub use signal::{measurement_correction, smoothing};
 pub use source::{read_regular, read_small, read_small_text};

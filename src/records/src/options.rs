@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::dates::date_order::DateOrder;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::SettingRules;
+use crate::quantities::setting_rules::SettingRules;
 use crate::quantities::unit::Unit;
 use crate::tuning::options::{GAINS, LARGEST_FORCE_ZERO, LARGEST_MASS, LARGEST_POSITION, LONGEST_DELAY, SAMPLE_RATES};
 

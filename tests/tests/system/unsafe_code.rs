@@ -68,7 +68,7 @@ fn a_block_without_a_reason_is_found() {
     assert!(without_reason("// unsafe { in words }").is_empty());
 }
 
-/// Runs the tests of the C interface (`src/abi/tests/memory.rs`) with Rust's nightly compiler, which memory checks
+/// Runs the tests of the C interface (`src/abi/tests/memory/main.rs`) with Rust's nightly compiler, which memory checks
 /// require.
 ///
 /// Returns `None` if cargo fails with the arguments `asks_for`, because a component is missing. Otherwise returns
@@ -94,7 +94,7 @@ fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option
     }
     let out = cargo(run).unwrap();
     let told = String::from_utf8_lossy(&out.stdout).into_owned() + &String::from_utf8_lossy(&out.stderr);
-    Some((out.status.success() && told.contains("4 passed"), told))
+    Some((out.status.success() && told.contains("7 passed"), told))
 }
 
 #[test]

@@ -522,8 +522,8 @@ impl Axis {
     /// Returns the parameters that depend on the setting and affect stored energy or the force at rest.
     ///
     /// A change of the setting may do work on the host through these parameters. If the result is empty, the damper is
-    /// passive for any change of the setting, unless the FV curve has a force at zero velocity that depends on the
-    /// setting. Such a force does work at low velocities.
+    /// passive for any change of the setting, with two exceptions. An FV curve with a force at zero velocity that depends
+    /// on the setting does work at low velocities. The filter form of frequency-selective damping stores the FV force.
     ///
     /// Energy is stored in springs, oil columns and masses, in the force or the temperature of the gas, and in the
     /// deflection of a contact. A parameter that only affects dissipation may change at any time: at every instant the

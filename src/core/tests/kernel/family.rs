@@ -12,7 +12,7 @@ use dashpot_core::{Input, Model, Output, Params, Reason, State, element, evaluat
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
-const GRID: [f64; 5] = [0.0, 0.4, 0.8, 1.2, 1.6];
+pub const GRID: [f64; 5] = [0.0, 0.4, 0.8, 1.2, 1.6];
 
 /// Returns the forces of the FV table, N, increased by the fraction 0.3 `size` near standstill, and by up to 1.3 `size`
 /// at speed.
@@ -22,7 +22,7 @@ fn forces(params: &Params, size: f64) -> Vec<f64> {
 }
 
 /// Makes a setting over whose grid the FV forces and `numbers` grow, by unequal amounts between the grid values.
-fn over(params: &Params, numbers: &[Number]) -> Axis {
+pub fn over(params: &Params, numbers: &[Number]) -> Axis {
     let mut axis = Axis::NONE;
     axis.set_grid(&GRID).unwrap();
     let sizes = [0.0, 0.1, 0.6, 0.65, 1.4];
@@ -37,7 +37,7 @@ fn over(params: &Params, numbers: &[Number]) -> Axis {
 }
 
 /// Returns the numeric parameters of the elements that are on, without those of forms that are not chosen.
-fn numbers_of(params: &Params) -> Vec<Number> {
+pub fn numbers_of(params: &Params) -> Vec<Number> {
     table()
         .filter(|row| row.element().is_some() && params.counts(row) && matches!(row.parameter.shape, Shape::Scalar))
         .filter_map(|row| Number::try_from(row).ok())
@@ -45,7 +45,7 @@ fn numbers_of(params: &Params) -> Vec<Number> {
 }
 
 /// Makes a family on the heap, because it is large.
-fn family(params: &Params, axis: &Axis) -> Result<Box<Family>, dashpot_core::Fault> {
+pub fn family(params: &Params, axis: &Axis) -> Result<Box<Family>, dashpot_core::Fault> {
     let mut family = Box::new(Family::OFF);
     family.set(params, axis)?;
     Ok(family)
@@ -202,12 +202,6 @@ fn the_force_is_exact_on_the_grid_monotone_and_smooth_over_the_setting() {
     }
 }
 
-/// Interpolates linearly between the points (`v`, `f`), and extrapolates beyond them.
-fn between(v: &[f64], f: &[f64], at: f64) -> f64 {
-    let i = v.iter().filter(|v| **v <= at).count().clamp(1, v.len() - 1);
-    f[i - 1] + (f[i] - f[i - 1]) * (at - v[i - 1]) / (v[i] - v[i - 1])
-}
-
 proptest! {
     #![proptest_config(drawn(150))]
 
@@ -235,71 +229,6 @@ proptest! {
         let Ok(model) = Model::new(&axis.params_at(&params, setting)) else { return Err(TestCaseError::fail("no model between two")) };
         let (off, largest) = apart(&family, &model, setting, 5e-4, true);
         prop_assert!(off <= 1e-7 * largest.max(1.0), "{off} of {largest} N: {}", describe(&params));
-    }
-
-    /// If no parameter that depends on the setting stores energy, the damper only dissipates energy, for any changes of
-    /// the setting.
-    #[test]
-    fn changes_of_the_setting_return_no_energy(
-        params in any_params(),
-        amplitude in 0.002..0.05f64,
-        changes in prop::collection::vec(0.0..1.6f64, 64),
-        follows in any::<bool>(),
-    ) {
-        let mut params = params;
-        for element in dashpot_core::parameter::names() {
-            let kept = ["fv_curve", "series_compliance", "coulomb_friction", "stribeck_friction", "viscous_friction"].contains(&element);
-            params.enable(dashpot_core::parameter::Element::find(element).unwrap(), kept);
-        }
-        let (v, f) = (params.list(list!("fv_velocity")).to_vec(), params.list(list!("fv_force")).to_vec());
-        // The FV curve is made odd. With a force at zero velocity, the damper would store energy that depends on the
-        // setting.
-        let positive: Vec<f64> = v.iter().copied().filter(|v| *v > 0.0).collect();
-        let symmetric: Vec<f64> = positive.iter().rev().map(|v| -v).chain([0.0]).chain(positive.iter().copied()).collect();
-        let odd: Vec<f64> = symmetric.iter().map(|at| 0.5 * (between(&v, &f, *at) - between(&v, &f, -at))).collect();
-        params.set_list(list!("fv_velocity"), &symmetric).unwrap();
-        params.set_list(list!("fv_force"), &odd).unwrap();
-        params.set(number!("fv_form"), 0.0).unwrap();
-        params.set(number!("fv_interpolation"), 1.0).unwrap();
-        let (peak, level) = (params.number(number!("stribeck_breakaway_force")), params.number(number!("stribeck_coulomb_force")));
-        params.set(number!("stribeck_breakaway_force"), peak.max(level)).unwrap();
-        let axis = over(&params, &[number!("stribeck_coulomb_force"), number!("viscous_coefficient"), number!("coulomb_force")]);
-        prop_assert_eq!(axis.stores_energy().count(), 0);
-        let Ok(family) = family(&params, &axis) else { return Ok(()) };
-        let (per_cycle, dt) = (256u32, 5e-4);
-        let motion = sine(amplitude, 1.0 / (f64::from(per_cycle) * dt));
-        let mut state = family.steady_state(&Input::motion(-amplitude, 0.0), None);
-        let mut delay = Delay::UNSET;
-        let (mut work, mut gross, mut last) = (0.0, 0.0, 0.0);
-        for i in 1..=4 * per_cycle {
-            let (x, v) = motion(f64::from(i) * dt);
-            // The setting changes at random, or as with the worst controller: soft while the damper resists, firm while
-            // the force assists the motion.
-            let setting = if follows { if v * last > 0.0 { 0.0 } else { 1.6 } } else { changes[i as usize % 64] };
-            let before = state.displacement;
-            let mut output = Output::ZERO;
-            prop_assert!(family.step_in_place(&mut state, &mut delay, &Input::motion(x, v), Some(setting), dt, &mut output, true));
-            // The force of a switched damper jumps, so the work of a step is computed with the force at its end.
-            let done = output.force * (state.displacement - before);
-            work += done;
-            gross += done.abs();
-            last = output.force;
-        }
-        let series = &family.model().elements().paths.series_compliance;
-        let stretched = state.displacement - state.mass_displacement;
-        let held = 0.5 * series.stiffness * stretched * stretched + 0.5 * series.mass * state.mass_velocity * state.mass_velocity;
-        prop_assert!(work >= -held - 0.02 * gross, "returned {work} J of {gross} J, {held} J were held: {}", describe(&params));
-    }
-}
-
-#[test]
-fn what_stores_energy_is_told() {
-    let params = params(&[]);
-    let of = |number: Number| over(&params, &[number]).stores_energy().map(|number| number.name()).collect::<Vec<_>>();
-    assert_eq!(of(number!("gas_force")), ["gas_force"]);
-    assert_eq!(of(number!("series_stiffness")), ["series_stiffness"]);
-    for number in [number!("series_damping"), number!("viscous_coefficient"), number!("stribeck_coulomb_force")] {
-        assert_eq!(of(number), Vec::<&str>::new());
     }
 }
 

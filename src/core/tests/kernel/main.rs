@@ -7,6 +7,7 @@ mod elements;
 mod equations;
 mod examples;
 mod family;
+mod family_passivity;
 mod order;
 mod parallel_elements;
 mod partials;

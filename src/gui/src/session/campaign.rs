@@ -158,6 +158,21 @@ impl Loaded {
         Loaded { paths, folder, options, campaign, tests, warm, original }
     }
 
+    /// Returns whether another reading gave the same tests with the same samples. Settings and notes may differ.
+    pub fn has_same_samples(&self, other: &Loaded) -> bool {
+        let (own, others) = (&self.original().records, &other.original().records);
+        let is_same = |(a, b): (&Record, &Record)| {
+            a.name == b.name
+                && a.time == b.time
+                && a.displacement == b.displacement
+                && a.velocity == b.velocity
+                && a.force == b.force
+                && a.side_force == b.side_force
+                && a.temperature == b.temperature
+        };
+        own.len() == others.len() && own.iter().zip(others).all(is_same)
+    }
+
     /// Formats the paths of the campaign as a list.
     pub fn named(&self) -> String {
         self.paths.iter().map(|p| p.display().to_string()).collect::<Vec<_>>().join(", ")

@@ -1,14 +1,26 @@
 //! Undo and redo of a value.
+//!
+//! Each step has a serial number, so that steps of several values can be undone in the order of their changes.
+
+use std::sync::atomic::{AtomicU64, Ordering};
 
 /// Largest number of undo steps. A model has a few kilobytes, so all steps need a few megabytes.
 const DEPTH: usize = 500;
 
+/// Returns the serial number of a new step. It is larger than those of all steps before.
+pub fn next_serial() -> u64 {
+    static NEWEST: AtomicU64 = AtomicU64::new(0);
+    1 + NEWEST.fetch_add(1, Ordering::Relaxed)
+}
+
 /// A value with its undo and redo steps. `C` is the type that identifies the subject of a change.
 #[derive(Clone)]
 pub struct History<T, C> {
-    past: Vec<T>,
+    /// Values before each undo step, with the serial number of the step.
+    past: Vec<(u64, T)>,
     now: T,
-    future: Vec<T>,
+    /// Values after each redo step, with the serial number of the step.
+    future: Vec<(u64, T)>,
     /// Subject of the current change. A further change of this subject adds no undo step.
     open: Option<C>,
 }
@@ -33,7 +45,7 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         let before = std::mem::replace(&mut self.now, value);
         let change = Some(change);
         if self.open != change {
-            self.past.push(before);
+            self.past.push((next_serial(), before));
             if self.past.len() > DEPTH {
                 self.past.remove(0);
             }
@@ -51,16 +63,16 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
     /// Restores the value before the last undo step. Returns `false` if there is none.
     pub fn undo(&mut self) -> bool {
         self.open = None;
-        let Some(before) = self.past.pop() else { return false };
-        self.future.push(std::mem::replace(&mut self.now, before));
+        let Some((serial, before)) = self.past.pop() else { return false };
+        self.future.push((serial, std::mem::replace(&mut self.now, before)));
         true
     }
 
     /// Restores the value before the last undo. Returns `false` if there is none.
     pub fn redo(&mut self) -> bool {
         self.open = None;
-        let Some(after) = self.future.pop() else { return false };
-        self.past.push(std::mem::replace(&mut self.now, after));
+        let Some((serial, after)) = self.future.pop() else { return false };
+        self.past.push((serial, std::mem::replace(&mut self.now, after)));
         true
     }
 
@@ -70,8 +82,19 @@ impl<T: Clone + PartialEq, C: PartialEq> History<T, C> {
         self.future.clear();
     }
 
-    /// Returns whether undo and redo are possible.
-    pub fn can(&self) -> (bool, bool) {
-        (!self.past.is_empty(), !self.future.is_empty())
+    /// Returns the value that undo would restore, or `None` without an undo step.
+    pub fn before(&self) -> Option<&T> {
+        self.past.last().map(|(_, value)| value)
+    }
+
+    /// Returns the value that redo would restore, or `None` without a redo step.
+    pub fn after(&self) -> Option<&T> {
+        self.future.last().map(|(_, value)| value)
+    }
+
+    /// Returns the serial numbers of the step that undo would undo and of the step that redo would redo.
+    pub fn steps(&self) -> (Option<u64>, Option<u64>) {
+        let serial = |steps: &[(u64, T)]| steps.last().map(|(serial, _)| *serial);
+        (serial(&self.past), serial(&self.future))
     }
 }

@@ -11,6 +11,7 @@
 //! | [`outputs`], [`exports`] | all written files |
 //! | [`results`] | the results of fit, validation and diagnosis, and whether they match the data on screen |
 //! | [`replacing`] | replacement of the model, with undo |
+//! | [`settings`] | corrections of the settings of tests, with undo |
 //! | [`matrix`], [`study`] | the error matrix, and variation of one parameter |
 //! | [`two_ways`] | gas and drag of a cycle |
 //! | [`velocities`] | forces at peak velocities and at given velocities |
@@ -33,6 +34,7 @@ pub mod progress;
 pub mod recent;
 pub mod replacing;
 pub mod results;
+pub mod settings;
 pub mod simulation;
 pub mod study;
 pub mod tasks;
@@ -48,7 +50,7 @@ use dashpot_core::parameter::Element;
 use dashpot_identification::Estimate;
 use dashpot_identification::setting_units::restate_settings;
 use dashpot_messages::Sentence;
-use dashpot_records::{Options, Profile, Record, Unusable};
+use dashpot_records::{Options, Profile, Record, SettingRules, Unusable};
 use model::Tuned;
 use recent::Recent;
 use replacing::Replacement;
@@ -116,7 +118,8 @@ pub struct Session {
     /// Task whose result arrived since the last frame.
     pub arrived: Option<Kind>,
     others: replacing::Others,
-    /// Number of times that records were read.
+    corrections: settings::Corrections,
+    /// Number of times that records were read with other tests or other samples.
     read: u64,
     /// Number of times that a reference was read.
     read_reference: u64,
@@ -154,6 +157,7 @@ impl Session {
             pending: None,
             arrived: None,
             others: replacing::Others::default(),
+            corrections: settings::Corrections::default(),
             read: 0,
             read_reference: 0,
             simulator: Simulator::new(waker.clone()),
@@ -193,17 +197,18 @@ impl Session {
         }
     }
 
-    /// Reads records in the background.
-    pub fn open_records(&mut self, paths: Vec<PathBuf>, options: Options) {
+    /// Reads records in the background. Returns whether the reading began.
+    pub fn open_records(&mut self, paths: Vec<PathBuf>, options: Options) -> bool {
         let paths = paths.iter().map(|p| profile_stands_for_its_folder(p)).collect();
         self.begin(Kind::Read, move |report| {
             Loaded::read(paths, options, report).map(Outcome::Read).map_err(|e| e.sentence())
-        });
+        })
     }
 
-    /// Reads records for comparison, with the options of the open records.
+    /// Reads records for comparison, with the options of the open records. Rules for settings name tests of the open records, so they do
+    /// not apply to tests of equal name of another damper.
     pub fn open_reference(&mut self, paths: Vec<PathBuf>) {
-        let options = self.reading.clone();
+        let options = Options { settings: SettingRules::default(), ..self.reading.clone() };
         self.begin(Kind::ReadReference, move |report| {
             Loaded::read(paths, options, report).map(Outcome::Reference).map_err(|e| e.sentence())
         });
@@ -331,7 +336,7 @@ impl Session {
 
     /// Moves to another setting of an adjustable damper. Undo then returns to values that were tuned at the previous setting.
     pub fn move_to(&mut self, setting: f64) {
-        let before = self.model.as_ref().filter(|model| model.can().0).cloned();
+        let before = self.model.as_ref().filter(|model| model.steps().0.is_some()).cloned();
         if self.step(|model| model.move_to(setting)) {
             if let Some(before) = before {
                 self.keep(before);
@@ -418,6 +423,7 @@ impl Session {
             Some(Standing::Working) | None => {}
             Some(Standing::Cancelled) => {
                 self.task = None;
+                self.corrections.take_pending();
             }
             Some(Standing::Done(result)) => {
                 self.task = None;
@@ -425,6 +431,8 @@ impl Session {
                     Ok(outcome) => self.take(outcome),
                     Err(error) => self.complain(error),
                 }
+                // A change of settings whose reading failed is dropped.
+                self.corrections.take_pending();
             }
         }
         let responding = self.poll_responses();
@@ -493,6 +501,8 @@ impl Session {
             self.recent.add(first);
         }
         outputs::register_inputs(&loaded);
+        let change = self.corrections.take_pending();
+        let edited = self.reading.clone();
         // Show the options stored with the records, for editing.
         self.reading = loaded.options.clone();
         if let Some(Ok(Some(profile))) = loaded.folder.as_ref().map(|folder| Profile::read(folder))
@@ -503,6 +513,19 @@ impl Session {
             self.reading.exclude.dedup();
         }
         let again = self.campaign.as_ref().is_some_and(|c| c.paths == loaded.paths);
+        let has_same_samples = self.campaign.as_ref().is_some_and(|c| c.has_same_samples(&loaded));
+        match change {
+            Some(change) => {
+                if matches!(change, settings::Change::Correct(_)) {
+                    self.forget_future();
+                    self.model.iter_mut().for_each(Tuned::forget_future);
+                }
+                self.corrections.complete(change);
+                // Options that the user changed without reading again stay in the panel.
+                self.reading = Options { settings: self.reading.settings.clone(), ..edited };
+            }
+            None => self.corrections.restart(&self.reading.settings, again),
+        }
         let names = |of: &Loaded, chosen: &BTreeSet<usize>| -> BTreeSet<String> {
             chosen.iter().filter_map(|k| of.campaign.records.get(*k)).map(|r| r.name.clone()).collect()
         };
@@ -520,9 +543,12 @@ impl Session {
         if !again {
             self.reference = None;
         }
-        let (fit, family_fit) = (self.results.fit.take(), self.results.family_fit.take());
-        self.results = Results { fit, family_fit, ..Results::default() };
-        self.read += 1;
+        // If only settings differ, the results still belong to these tests. They are then marked as old, until an undo.
+        if !has_same_samples {
+            let (fit, family_fit) = (self.results.fit.take(), self.results.family_fit.take());
+            self.results = Results { fit, family_fit, ..Results::default() };
+            self.read += 1;
+        }
         self.study = None;
         self.simulated = None;
         self.identified = None;

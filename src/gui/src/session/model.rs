@@ -254,9 +254,9 @@ impl Tuned {
         self.history.forget_future();
     }
 
-    /// Returns whether undo and redo are possible.
-    pub fn can(&self) -> (bool, bool) {
-        self.history.can()
+    /// Returns the serial numbers of the changes that undo would undo and redo would redo.
+    pub fn steps(&self) -> (Option<u64>, Option<u64>) {
+        self.history.steps()
     }
 
     /// Resets to the identified values in one undo step.

@@ -3,6 +3,7 @@
 //! The user must confirm a loss of manually tuned values. The replacement can be undone.
 
 use crate::session::Session;
+use crate::session::history::next_serial;
 use crate::session::model::Tuned;
 use crate::session::results::{Finding, Fitted};
 use crate::session::tasks::Kind;
@@ -31,11 +32,24 @@ pub enum Replacement {
 /// Largest number of models that undo can restore. Each model has its own undo steps.
 const DEPTH: usize = 20;
 
+/// Kind of a change that undo and redo restore.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Subject {
+    /// A value of the model on screen.
+    Value,
+    /// The model on screen.
+    Model,
+    /// The setting of a test.
+    Setting,
+}
+
 /// Models that were on screen before and after the present one, for undo and redo.
 #[derive(Default)]
 pub struct Others {
-    past: Vec<Tuned>,
-    future: Vec<Tuned>,
+    /// Previous models, with the serial number of each replacement.
+    past: Vec<(u64, Tuned)>,
+    /// Models that redo restores, with the serial number of each replacement.
+    future: Vec<(u64, Tuned)>,
     /// Unsaved parameter values whose loss the user has confirmed.
     allowed: Option<Params>,
 }
@@ -115,47 +129,82 @@ impl Session {
         if let Some(before) = self.model.take() {
             self.keep(before);
         }
-        self.others.future.clear();
+        self.forget_future();
         self.show_model(model);
     }
 
     /// Keeps a model for undo, without its redo steps.
     pub(super) fn keep(&mut self, mut before: Tuned) {
         before.forget_future();
-        self.others.past.push(before);
+        self.others.past.push((next_serial(), before));
         if self.others.past.len() > DEPTH {
             self.others.past.remove(0);
         }
     }
 
-    /// Discards the models that redo would restore, after another change.
+    /// Discards the models and the corrections of settings that redo would restore, after another change.
     pub(super) fn forget_future(&mut self) {
         self.others.future.clear();
+        self.corrections.forget_future();
     }
 
-    /// Undoes the last change of the model. If there is none, restores the previous model.
+    /// Undoes the last change: of a value, of the model, or of a test's setting.
     pub fn undo(&mut self) {
-        if self.model.as_ref().is_some_and(|m| m.can().0) {
-            self.step(Tuned::undo);
-        } else if let Some(before) = self.others.past.pop() {
-            self.others.future.extend(self.model.take());
-            self.show_model(before);
+        match self.next_undo() {
+            Some(Subject::Value) => {
+                self.step(Tuned::undo);
+            }
+            Some(Subject::Model) => {
+                let Some((serial, before)) = self.others.past.pop() else { return };
+                self.others.future.extend(self.model.take().map(|model| (serial, model)));
+                self.show_model(before);
+            }
+            Some(Subject::Setting) => self.step_correction(true),
+            None => {}
         }
     }
 
-    /// Redoes the last undone change. If there is none, restores the model before the last undo.
+    /// Redoes the last undone change.
     pub fn redo(&mut self) {
-        if self.model.as_ref().is_some_and(|m| m.can().1) {
-            self.step(Tuned::redo);
-        } else if let Some(after) = self.others.future.pop() {
-            self.others.past.extend(self.model.take());
-            self.show_model(after);
+        match self.next_redo() {
+            Some(Subject::Value) => {
+                self.step(Tuned::redo);
+            }
+            Some(Subject::Model) => {
+                let Some((serial, after)) = self.others.future.pop() else { return };
+                self.others.past.extend(self.model.take().map(|model| (serial, model)));
+                self.show_model(after);
+            }
+            Some(Subject::Setting) => self.step_correction(false),
+            None => {}
         }
     }
 
-    /// Returns whether undo and redo are possible.
+    /// Returns the subject of the newest change that can be undone.
+    fn next_undo(&self) -> Option<Subject> {
+        let value = self.model.as_ref().and_then(|model| model.steps().0);
+        let model = self.others.past.last().map(|(serial, _)| *serial);
+        let setting = self.corrections.steps().0;
+        let all = [(value, Subject::Value), (model, Subject::Model), (setting, Subject::Setting)];
+        let newest = all.into_iter().filter_map(|(serial, subject)| Some((serial?, subject)));
+        newest.max_by_key(|(serial, _)| *serial).map(|(_, subject)| subject)
+    }
+
+    /// Returns the subject of the oldest undone change.
+    fn next_redo(&self) -> Option<Subject> {
+        let value = self.model.as_ref().and_then(|model| model.steps().1);
+        let model = self.others.future.last().map(|(serial, _)| *serial);
+        let setting = self.corrections.steps().1;
+        let all = [(value, Subject::Value), (model, Subject::Model), (setting, Subject::Setting)];
+        let oldest = all.into_iter().filter_map(|(serial, subject)| Some((serial?, subject)));
+        oldest.min_by_key(|(serial, _)| *serial).map(|(_, subject)| subject)
+    }
+
+    /// Returns whether undo and redo are possible. A setting of a test is not changed while a task is running, because the records are read
+    /// again.
     pub fn can_undo(&self) -> (bool, bool) {
-        let (back, forth) = self.model.as_ref().map_or((false, false), Tuned::can);
-        (back || !self.others.past.is_empty(), forth || !self.others.future.is_empty())
+        let is_free = self.task.is_none();
+        let can = |subject: Option<Subject>| subject.is_some_and(|of| of != Subject::Setting || is_free);
+        (can(self.next_undo()), can(self.next_redo()))
     }
 }

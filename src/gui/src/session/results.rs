@@ -8,7 +8,7 @@ use dashpot_diagnosis::Diagnosis;
 use dashpot_identification::Fit;
 use dashpot_identification::family::FamilyFit;
 use dashpot_identification::validation::Validation;
-use dashpot_records::Record;
+use dashpot_records::{Record, SettingRules};
 use dashpot_simulation::whole_records::{OfDiagnosis, Quality};
 use std::cmp::Reverse;
 use std::collections::BTreeSet;
@@ -29,6 +29,8 @@ pub struct Basis {
     /// Number of times that a reference was read before the result; `None` without a reference, or if the result does not depend on it.
     reference: Option<u64>,
     unticked: BTreeSet<usize>,
+    /// Rules for the settings of the tests, with the corrections by hand.
+    settings: SettingRules,
 }
 
 /// A result with its basis.
@@ -146,6 +148,7 @@ impl Session {
             read: self.read,
             reference: self.reference.as_ref().map(|_| self.read_reference),
             unticked: self.unticked.clone(),
+            settings: self.corrections.rules().clone(),
         })
     }
 

@@ -4,6 +4,7 @@
 //! aborts on a panic, but a test has to unwind.
 
 mod answers;
+mod corrected_settings;
 mod drawings;
 mod drawn;
 mod made_up;

@@ -66,7 +66,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
 }
 
 /// Returns the texts of the last frame that the panel of the tests cuts off, and those of all panels that break within a word.
-fn spoilt(harness: &Harness<'_, App>) -> Vec<String> {
+pub(super) fn spoilt(harness: &Harness<'_, App>) -> Vec<String> {
     /// Largest right edge of a text in the panel of the tests, px.
     const PANEL: f32 = 275.0;
     let mut found = Vec::new();

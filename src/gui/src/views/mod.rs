@@ -6,6 +6,7 @@
 //! | [`fit`] | the button that fits a model |
 //! | [`status`] | progress, cancel and the last message, at the bottom |
 //! | [`tests`] | the tests with their notes |
+//! | [`test_setting`] | the field for the setting of a test |
 //! | [`plots`], [`lines`], [`legend`] | loops, force over time, peak forces with the draggable curve |
 //! | [`matrix`] | the error matrix |
 //! | [`tables`] | forces at peak velocities and at given velocities |
@@ -34,6 +35,7 @@ pub mod results;
 pub mod status;
 pub mod study;
 pub mod tables;
+mod test_setting;
 pub mod tests;
 pub mod tune;
 pub mod valve;
@@ -89,6 +91,8 @@ pub struct View {
     pub language: Language,
     /// Filter of the list of tests: names must contain this text.
     pub filter: String,
+    /// Index of a test and the text in the field of its setting, while the user types.
+    pub typed_setting: Option<(usize, String)>,
     /// Index of the test that was clicked last. A range of tests begins at this test.
     pub anchor: Option<usize>,
     /// Panel on the right-hand side.

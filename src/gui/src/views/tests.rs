@@ -2,7 +2,7 @@
 
 use crate::session::Session;
 use crate::units::{Shown, Units};
-use crate::views::{View, explain_provisional, hue, percent, text_width};
+use crate::views::{View, explain_provisional, hue, percent, test_setting, text_width};
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
@@ -62,6 +62,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
             }
         });
     ui.separator();
+    test_setting::apply_pending(session, view, details);
     egui::ScrollArea::vertical().id_salt("details").auto_shrink([false, false]).show(ui, |ui| {
         if let Some(k) = details.filter(|k| *k < records.len()) {
             detail(ui, session, view, k);
@@ -138,8 +139,12 @@ pub fn choose(session: &mut Session, view: &mut View, k: usize, keys: egui::Modi
 
 fn describe(record: &Record, units: Units, w: &crate::words::Words) -> String {
     let (length, velocity) = (units.length(), units.velocity());
+    let setting = match test_setting::text(record, w) {
+        text if text.is_empty() => text,
+        text => format!("\n{} {text}", test_setting::name(record, w)),
+    };
     format!(
-        "{} {} {}\n{} {} Hz\n{} {} {}",
+        "{} {} {}\n{} {} Hz\n{} {} {}{setting}",
         w.amplitude,
         w.digits(length.factor * record.amplitude),
         length.symbol,
@@ -159,13 +164,18 @@ fn detail(ui: &mut Ui, session: &mut Session, view: &mut View, k: usize) {
     ui.add(egui::Label::new(egui::RichText::new(&record.source).weak()).wrap());
     let n = seen.cycle_samples;
     let area = crate::session::study::loop_area(&seen.cycle.displacement[..n], &seen.cycle.force[..n]);
-    let simulated = session.simulated.as_ref().and_then(|s| s.tests.get(k));
     let (units, force) = (view.units, view.units.force());
     let in_unit = |unit: &Shown, value: f64| format!("{}\u{a0}{}", w.digits(unit.factor * value), unit.symbol);
-    let names = [w.mean_error, w.amplitude, w.frequency, w.peak_velocity, w.largest_force, w.cycles, w.work, w.noise];
+    let setting = test_setting::name(record, w);
+    let names =
+        [setting, w.mean_error, w.amplitude, w.frequency, w.peak_velocity, w.largest_force, w.cycles, w.work, w.noise];
     let widest = names.into_iter().map(|name| text_width(ui, name, egui::TextStyle::Body)).fold(0.0, f32::max);
     let room = (ui.available_width() - widest - ui.spacing().item_spacing.x).max(60.0);
     egui::Grid::new("detail").num_columns(2).show(ui, |ui| {
+        ui.label(setting);
+        test_setting::show(ui, session, view, k, room);
+        ui.end_row();
+        let simulated = session.simulated.as_ref().and_then(|s| s.tests.get(k));
         let mut line = |name: &str, value: String| {
             ui.label(name);
             // A long value is wrapped, because the panel would cut it off.

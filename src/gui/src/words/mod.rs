@@ -192,6 +192,10 @@ dashpot_messages::interface! {
         setting,
         /// Meaning of the slider over the setting.
         setting_hint,
+        /// Meaning of the field for the setting of a test.
+        test_setting_hint,
+        /// Meaning of the button that removes a correction of a test's setting.
+        setting_as_read,
         /// Label of the choice that each test is simulated at its own setting.
         own_settings,
         own_settings_hint,

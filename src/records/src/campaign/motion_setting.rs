@@ -3,7 +3,8 @@
 use crate::cleaning::set_to::setting_channel;
 use crate::data::samples::Samples;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::{Setting, SettingRules};
+use crate::quantities::setting_rules::SettingRules;
+use crate::quantities::setting_value::Setting;
 
 /// Source of the setting of a motion.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -35,8 +36,8 @@ pub struct MotionSetting {
 
 impl MotionSetting {
     /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Returns
-    /// `None` if none of them states a setting. Unless the rules state it, removes the setting columns from the
-    /// samples.
+    /// `None` if none of them states a setting, and if the rules state that there is none. Unless the rules state the
+    /// setting, removes the setting columns from the samples.
     pub(crate) fn take(samples: &mut Samples, rules: &SettingRules) -> Option<MotionSetting> {
         let count = samples.len();
         let constant = |setting: Setting, source| MotionSetting {
@@ -48,9 +49,14 @@ impl MotionSetting {
         if let Some(setting) = rules.setting_of(&samples.name) {
             return Some(constant(setting, SettingSource::Profile));
         }
+        let is_without = rules.find(&samples.name).is_some();
         let channel = if samples.setting.is_some() { Channel::Setting } else { Channel::Current };
         let heading = samples.heading(channel);
-        if let Some((values, name, unit)) = setting_channel(samples, rules) {
+        let column = setting_channel(samples, rules);
+        if is_without {
+            return None;
+        }
+        if let Some((values, name, unit)) = column {
             return Some(MotionSetting { name, unit, values, source: SettingSource::Column(heading, channel) });
         }
         let (setting, is_sure) = Setting::of_name(&samples.name)?;

@@ -9,7 +9,8 @@ use crate::dates::date_order::DateOrder;
 use crate::error::{RecordError, RecordFileError};
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::SettingRules;
+use crate::quantities::setting_rules::SettingRules;
+use crate::quantities::stated_setting::StatedSetting;
 use crate::source;
 
 /// Name of the file with the known facts about the records of its folder (the profile).
@@ -79,9 +80,9 @@ pub struct Profile {
     /// Unit of each channel.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
     pub units: BTreeMap<String, String>,
-    /// Values of the setting by test names. `*` matches any text.
+    /// Settings by test names: numbers, numbers with their unit, or `none`. `*` matches any text.
     #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
-    pub settings: BTreeMap<String, f64>,
+    pub settings: BTreeMap<String, StatedSetting>,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref)] // serde passes a reference
@@ -254,8 +255,11 @@ mod tests {
         options.ignore.insert(Channel::Velocity);
         options.exclude = vec!["warm*".into()];
         options.settings.name = Some("current".into());
-        options.settings.values.insert("*1.6A*".into(), 1.6);
+        for (pattern, stated) in [("*1.6A*", "1.6"), ("*hard", "800 mA"), ("warm*", "none")] {
+            options.settings.values.insert(pattern.into(), stated.parse().unwrap());
+        }
         let profile = Profile::from_options(&options);
+        assert!(profile.text().contains("\"*1.6A*\" = 1.6\n\"*hard\" = \"800.0 mA\"\n\"warm*\" = \"none\"\n"));
         let back = of(&profile.text()).unwrap().unwrap();
         assert_eq!(back, profile);
         assert_eq!(Profile::from_options(&back.options().unwrap()), profile);
@@ -278,6 +282,15 @@ mod tests {
             ("format = \"dashpot campaign profile 1\"\ndates = \"iso\"\n", "iso"),
             ("format = \"dashpot campaign profile 1\"\n[settings]\n\"a*\" = 1.0\n", "setting = \"current\""),
             ("format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"a*\" = inf\n", "a*"),
+            (
+                "format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"a*\" = \"hard\"\n",
+                "0.8 A",
+            ),
+            ("format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"a*\" = [1]\n", "a number"),
+            (
+                "format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"a*\" = \"3 bar\"\n",
+                "unit of current",
+            ),
             ("format = [\n", "campaign.toml"),
         ] {
             let message = of(text).unwrap_err();

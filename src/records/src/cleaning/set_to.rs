@@ -5,7 +5,8 @@ use crate::data::samples::Samples;
 use crate::data::setting_signal::{SettingPattern, SettingSignal};
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
-use crate::quantities::setting_value::{CLICKS, Setting, SettingRules, as_set, setting_in_unit, tolerance};
+use crate::quantities::setting_rules::SettingRules;
+use crate::quantities::setting_value::{CLICKS, Setting, as_set, setting_in_unit, tolerance};
 use dashpot_messages::{Sentence, format_decimals};
 
 /// A column with the setting of a damper.

@@ -133,6 +133,9 @@ dashpot_messages::phrases! {
     SETTING_CHANGES: "{change}. dashpot fit --setting {option} identifies the response of the valve from it; a model at one setting cannot follow it (--exclude)";
     SETTING_STEPS: "the {setting} of the damper's valve steps between {low} and {high} within the test (steps: {count})";
     SETTING_NAME: "the name of {test} states {named}, and its {setting} channel shows {shown}: the channel counts (tests whose name and channel disagree: {count}). Check which is right; to take the names, write their values into campaign.toml under settings";
+    SETTING_TYPED: "{text} is no setting: give a number from -{largest} to {largest} with its unit, such as 0.8 A, 12 clicks or 3 bar";
+    SETTING_QUANTITY: "{text} is no {setting}; {setting} is the setting of these tests";
+    SETTING_QUANTITIES: "these tests have several settings ({names}); correct the setting of a test where only tests of one setting are open";
     SETTINGS: "By their forces these belong together, from soft to hard: {settings}{open}";
     SETTING: "{number}) {names}";
     SETTING_ALL: "all of '{name}' ({count})";

@@ -1,13 +1,9 @@
 //! The setting of an adjustable damper in a test: the current of its valve, or the clicks of its adjuster. Its source
 //! is a rule of the user, a channel, or the name of the test.
 
-use std::collections::BTreeMap;
-
 use serde::{Deserialize, Serialize};
 
-use crate::glob;
 use crate::numbers::{quantile, white_noise};
-use crate::tuning::options::LARGEST_SETTING;
 use dashpot_messages::{Sentence, format_number};
 
 /// A setting of an adjustable damper.
@@ -201,53 +197,14 @@ pub fn setting_in_words(value: f64, unit: &str) -> String {
     format!("{} {unit}", format_number(value)).trim_end().to_owned()
 }
 
-/// Rules of the user for the setting of each test.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct SettingRules {
-    /// Name of the setting.
-    pub name: Option<String>,
-    /// Unit of the setting.
-    pub unit: String,
-    /// Values of the setting by test names. `*` matches any text.
-    pub values: BTreeMap<String, f64>,
-}
-
-impl SettingRules {
-    /// Returns these rules if they name a setting, else those of the profile.
-    pub(crate) fn over(&self, profile: &SettingRules) -> SettingRules {
-        if self.name.is_some() { self.clone() } else { profile.clone() }
-    }
-
-    /// Checks that values have the name of their setting and are finite.
-    ///
-    /// # Errors
-    /// A message about the invalid rule.
-    pub(crate) fn check(&self) -> Result<(), String> {
-        if self.name.is_none() && !self.values.is_empty() {
-            return Err("settings are given, but not of what: add setting = \"current\", or another name".to_owned());
-        }
-        match self.values.iter().find(|(_, value)| !(value.abs() <= LARGEST_SETTING)) {
-            Some((pattern, value)) => {
-                let (number, largest) = (format_number(*value), format_number(LARGEST_SETTING));
-                Err(format!(
-                    "settings: {number} of {pattern:?} is no number that a damper is set to; give -{largest} to {largest}"
-                ))
-            }
-            None => Ok(()),
-        }
-    }
-
-    /// Returns the setting of a test from the longest pattern that matches its name, or `None` if none matches.
-    pub(crate) fn setting_of(&self, name: &str) -> Option<Setting> {
-        let taking = self.values.iter().filter(|(pattern, _)| glob::matches(pattern, name));
-        let (_, value) = taking.max_by_key(|(pattern, _)| pattern.chars().count())?;
-        Some(Setting { name: self.name.clone()?, unit: self.unit.clone(), value: *value })
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_small_setting_has_an_exponent() {
+        assert_eq!(setting_in_words(1e-308, "A"), "1e-308 A");
+    }
 
     #[test]
     fn settings_are_found_in_names() {
@@ -288,30 +245,6 @@ mod tests {
         }
         let same = |a: f64, b: f64| is_same_setting(a, b);
         assert!(same(299.8, 700.1 - 400.0) && same(0.41, 0.4) && !same(0.42, 0.4) && !same(20.0, 21.0));
-    }
-
-    #[test]
-    fn the_longest_pattern_says_the_setting() {
-        let values = [("*", 0.0), ("*hard*", 1.6)].map(|(pattern, value)| (pattern.to_owned(), value));
-        let given = SettingRules { name: Some("current".into()), unit: "A".into(), values: values.into() };
-        let of = |name: &str| given.setting_of(name).map(|s| s.value);
-        assert_eq!((of("a_hard"), of("a_soft")), (Some(1.6), Some(0.0)));
-        assert_eq!(SettingRules::default().setting_of("a"), None);
-    }
-
-    #[test]
-    fn settings_beyond_their_bounds_are_rejected() {
-        let check = |value: f64| {
-            let values = [("*hard*".to_owned(), value)].into();
-            SettingRules { name: Some("current".into()), unit: "A".into(), values }.check()
-        };
-        for value in [1e308, -1e308, 1.1e9, f64::NAN, f64::INFINITY] {
-            let message = check(value).unwrap_err();
-            assert!(message.contains("\"*hard*\"") && message.ends_with("give -1e9 to 1e9"), "{message}");
-            assert!(message.contains(&format_number(value)) && message.len() < 300, "{message}");
-        }
-        assert!(check(0.0).is_ok() && check(-1e9).is_ok() && check(1e-308).is_ok());
-        assert_eq!(setting_in_words(1e-308, "A"), "1e-308 A");
     }
 
     #[test]

@@ -6,9 +6,9 @@ use std::collections::BTreeMap;
 use super::unstated_settings::together;
 use crate::data::record::{Note, Record, UNREAD_CURRENT};
 use crate::messages::phrases;
-use crate::quantities::setting_value::{
-    SAME, Setting, SettingRules, as_set, restate_in_unit, setting_in_words, with_setting_name,
-};
+use crate::quantities::setting_rules::SettingRules;
+use crate::quantities::setting_value::{SAME, Setting, as_set, restate_in_unit, setting_in_words, with_setting_name};
+use crate::quantities::stated_setting::WITHOUT_SETTING;
 use dashpot_messages::Sentence;
 
 /// Assigns settings from the user's rules, else from channels, else from the names of the tests. Merges measured
@@ -20,15 +20,15 @@ use dashpot_messages::Sentence;
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     merge_currents(records);
     merge_scattered(records);
-    let is_given = |record: &Record| rules.setting_of(&record.name).is_some();
+    let is_given = |record: &Record| rules.find(&record.name).is_some();
     notes.extend(contradicted_names(records.iter().filter(|record| !is_given(record))));
     for record in records.iter_mut() {
-        if let Some(setting) = rules.setting_of(&record.name) {
-            record.setting = Some(setting);
+        if is_given(record) {
+            record.setting = rules.setting_of(&record.name);
             record.setting_signal = None;
         }
     }
-    name_settings(records);
+    name_settings(records, &is_given);
     unite_units(records);
     note_settings(records, notes);
 }
@@ -154,8 +154,9 @@ pub(crate) fn note_settings_of_groups<'a>(groups: impl Iterator<Item = &'a [Reco
 /// Assigns settings from names to tests without a setting, if the names of all these tests state one.
 ///
 /// If some tests have a setting channel, names count only if they state the same quantity. For example, a campaign may
-/// step the current in some tests and name it in other tests.
-fn name_settings(records: &mut [Record]) {
+/// step the current in some tests and name it in other tests. The names of tests to which a rule of the user applies
+/// (`is_given`) do not count.
+fn name_settings(records: &mut [Record], is_given: &dyn Fn(&Record) -> bool) {
     let of_channel = |record: &Record| {
         let constant = record.setting.as_ref().map(|of| of.name.clone());
         constant.or_else(|| record.setting_signal.as_ref().map(|of| of.name.clone()))
@@ -163,6 +164,7 @@ fn name_settings(records: &mut [Record]) {
     let known: Vec<String> = records.iter().filter_map(of_channel).collect();
     let mut open: Vec<&mut Record> =
         records.iter_mut().filter(|record| record.setting.is_none() && record.setting_signal.is_none()).collect();
+    open.retain(|record| !is_given(record));
     let named: Option<Vec<(Setting, bool)>> = open.iter().map(|record| Setting::of_name(&record.name)).collect();
     let names_tests = |all: &[(Setting, bool)]| {
         let unsure = all.iter().all(|(_, is_sure)| !is_sure);
@@ -192,9 +194,6 @@ pub fn records_without_setting<'r>(records: impl Iterator<Item = &'r Record> + C
     let is_without = |record: &&Record| record.setting.is_none() && record.setting_signal.is_none();
     records.filter(|record| is_without(record) && !is_named(record)).collect()
 }
-
-/// Name that stands for no setting: tests at several settings are then fitted as one damper.
-pub const WITHOUT_SETTING: &str = "none";
 
 /// Warns if the tests of a campaign have several settings.
 fn note_settings(records: &[Record], notes: &mut Vec<Note>) {

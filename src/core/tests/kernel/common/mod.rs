@@ -1,6 +1,8 @@
 //! Shared code of the property tests: motions, an independent reference and random models.
 #![allow(dead_code)]
 
+pub mod energy;
+
 use dashpot_core::parameter::names;
 use dashpot_core::parameter::{Element, Number, Shape, table};
 use dashpot_core::step::{Method, step};

@@ -1,9 +1,12 @@
-//! Tests that call the functions for dampers without a setting, with uninitialized blocks.
+//! Tests that call the functions for dampers without a setting, with uninitialized blocks. Module [`setting`] calls those for dampers over a
+//! setting.
 //!
 //! Each block has exactly the size in the header and a separate heap allocation.
 //!
 //! Tools that check every access (Miri, AddressSanitizer) run these tests: see `tests/tests/system/unsafe_code.rs`. Without the tools, the
 //! tests still check that the functions accept everything that the header allows.
+
+mod setting;
 
 use dashpot_abi::evaluate::{dashpot_evaluate, dashpot_jacobian};
 use dashpot_abi::input::{DASHPOT_KNOWS_DISPLACEMENT, dashpot_input};
