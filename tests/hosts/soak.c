@@ -1,4 +1,5 @@
-/* A long drive: four quarter cars on a rough road at 1 ms with the bridge's dampers. Arguments: model file, simulated seconds.
+/* A long drive: four quarter cars on a rough road at 1 ms with the bridge's dampers. Arguments: model file, simulated seconds, and for dampers
+ * that depend on a setting the soft and the firm one, between which a skyhook controller switches.
  *
  *   cc -O2 -I include -I vi-crt-bridge/bridge -o soak tests/hosts/soak.c BRIDGE_SOURCES target/lib/libdashpot.a -lm
  *   ./soak damper.toml 1800
@@ -75,15 +76,21 @@ int main(int argc, char **argv)
     dashpot_bridge *car;
     dashpot_bridge_state state;
     dashpot_corner_input in[4];
-    dashpot_corner_output out[4];
+    dashpot_corner_output out[4], trial[2][4];
+    double soft = 0.0, firm = 0.0;
+    long switches = 0;
     double body[4] = {0}, body_v[4] = {0}, wheel[4] = {0}, wheel_v[4] = {0}, rest[4], early = 0.0, late = 0.0;
     long steps, k, before, after, total = 0, longest = 0, percentile = 0, median = 0, held = 0;
     double worst_drift = 0.0;
     static char line[512];
     int warm, first, second, c, length;
 
-    if (argc != 3)
+    if (argc != 3 && argc != 5)
         return 2;
+    if (argc == 5) {
+        soft = atof(argv[3]);
+        firm = atof(argv[4]);
+    }
     for (c = 0; c < 4; c++)
         models[c] = argv[1];
     car = dashpot_bridge_create(4, models, NULL, &fault);
@@ -105,7 +112,10 @@ int main(int argc, char **argv)
     memset(out, 0, sizeof out);
     memset(bins, 0, sizeof bins);
     for (c = 0; c < 4; c++)
-        in[c].known = c == 3 ? 0 : DASHPOT_CORNER_KNOWS_JOUNCE; /* R2 integrates its displacement */
+        in[c].known = (c == 3 ? 0 : DASHPOT_CORNER_KNOWS_JOUNCE) /* R2 integrates its displacement */
+                      | (argc == 5 ? DASHPOT_CORNER_KNOWS_SETTING : 0);
+    for (c = 0; c < 4; c++)
+        in[c].setting = soft;
     dashpot_bridge_init(car, in, out);
     for (c = 0; c < 4; c++)
         rest[c] = out[c].force;
@@ -147,6 +157,11 @@ int main(int argc, char **argv)
             jounce = wheel[c] - body[c];
             in[c].jounce = jounce;
             in[c].jounce_rate = wheel_v[c] - body_v[c];
+            {
+                double setting = body_v[c] * (body_v[c] - wheel_v[c]) > 0.0 ? firm : soft;
+                switches += setting != in[c].setting;
+                in[c].setting = setting;
+            }
         }
         clock_gettime(CLOCK_MONOTONIC, &a);
         held += (dashpot_bridge_step(car, DT, in, out) & DASHPOT_BRIDGE_LAST_FORCE) != 0;
@@ -157,6 +172,12 @@ int main(int argc, char **argv)
         if (k % 1000 == 999) {
             double drift;
             dashpot_bridge_save(car, &state);
+            /* Two steps from the saved state are equal, and the drive goes on from it. */
+            dashpot_bridge_step(car, DT, in, trial[0]);
+            dashpot_bridge_restore(car, &state);
+            dashpot_bridge_step(car, DT, in, trial[1]);
+            dashpot_bridge_restore(car, &state);
+            held += memcmp(trial[0], trial[1], sizeof trial[0]) != 0;
             drift = fabs(state.corner[3].state.displacement + in[3].jounce);
             worst_drift = drift > worst_drift ? drift : worst_drift;
             for (c = 0; c < 4; c++)
@@ -180,8 +201,9 @@ int main(int argc, char **argv)
     late = sqrt(late / (4.0 * (steps / 6)));
     length = snprintf(line, sizeof line,
                       "steps %ld\nmissed %ld\ndrift_mm %.6f\nrms_early_n %.3f\nrms_late_n %.3f\npage_faults %ld\n"
-                      "median_ns %ld\npercentile_9999_ns %ld\nlongest_ns %ld\n",
-                      steps, held, 1e3 * worst_drift, early, late, before < 0 ? -1 : after - before, median, percentile, longest);
+                      "median_ns %ld\npercentile_9999_ns %ld\nlongest_ns %ld\nswitches %ld\n",
+                      steps, held, 1e3 * worst_drift, early, late, before < 0 ? -1 : after - before, median, percentile, longest,
+                      switches);
     if (write(1, line, (size_t)length) != length)
         syscall(SYS_exit, 1);
     /* exit() would make system calls that are no longer allowed. */

@@ -17,6 +17,7 @@ static dashpot_state states[2], rate;
 static dashpot_input inputs[2];
 static dashpot_output outputs[2];
 static dashpot_partials partials;
+static dashpot_setting_derivatives by_setting;
 static dashpot_fault fault;
 static double force;
 static int32_t status;
@@ -32,6 +33,11 @@ static void *settle(void *unused) { status = dashpot_state_init(&model, 0.01, &r
 static void *one(void *unused) { status = dashpot_force(&model, &states[1], 0.3, 1e-3, &force); return unused; }
 static void *step(void *unused) { status = dashpot_step(&model, states, inputs, 1e-3, &rate, outputs); return unused; }
 static void *hold(void *unused) { status = dashpot_step(&model, states, inputs, 0.0, &rate, outputs); return unused; }
+static void *one_set(void *unused) { status = dashpot_force_with_setting(&model, &states[1], 0.3, 1.1, 1e-3, &force); return unused; }
+static void *actual(void *unused) { status = dashpot_actuator_setting(&model, states, inputs, &force); return unused; }
+static void *gain(void *unused) { status = dashpot_d_force_d_setting(&model, states, inputs, 1e-3, &force); return unused; }
+static void *by(void *unused) { status = dashpot_jacobian_setting(&model, states, inputs, &by_setting); return unused; }
+static void *moving(void *unused) { status = dashpot_state_init_motion(&model, inputs, &rate); return unused; }
 static void *batch(void *unused) { status = dashpot_step_batch(2, models, states, inputs, 1e-3, states, outputs); return unused; }
 static void *evaluate(void *unused) { status = dashpot_evaluate(&model, states, inputs, outputs, &rate); return unused; }
 static void *jacobian(void *unused) { status = dashpot_jacobian(&model, states, inputs, &partials); return unused; }
@@ -39,6 +45,21 @@ static void *info(void *unused) {
   static dashpot_parameter row;
   row.struct_size = sizeof row;
   status = dashpot_parameter_info(3, &row);
+  return unused;
+}
+static void *read_setting(void *unused) {
+  static dashpot_setting setting;
+  setting.struct_size = sizeof setting;
+  status = dashpot_params_setting(&params, &setting);
+  return unused;
+}
+static void *grid(void *unused) {
+  static dashpot_params family = DASHPOT_PARAMS_INIT;
+  static const double settings[2] = {0.0, 1.6}, gas[2] = {80.0, 85.0}, forces[3] = {-900.0, 0.0, 900.0};
+  status = dashpot_params_default(&family);
+  if (status == 0) status = dashpot_params_set_grid(&family, settings, 2);
+  if (status == 0) status = dashpot_params_set_over(&family, "gas_force", gas, 2);
+  if (status == 0) status = dashpot_params_set_list_over(&family, "fv_force", 0, forces, 3);
   return unused;
 }
 static void *read_file(void *unused) {
@@ -90,7 +111,10 @@ int main(void) {
       {"dashpot_params_check", check},      {"dashpot_model_init", init},  {"dashpot_state_init", settle},
       {"dashpot_force", one},               {"dashpot_step", step},        {"dashpot_step, dt 0", hold},
       {"dashpot_step_batch", batch},        {"dashpot_evaluate", evaluate}, {"dashpot_jacobian", jacobian},
-      {"dashpot_parameter_info", info},
+      {"dashpot_parameter_info", info},     {"dashpot_force_with_setting", one_set},
+      {"dashpot_actuator_setting", actual}, {"dashpot_d_force_d_setting", gain},
+      {"dashpot_jacobian_setting", by},     {"dashpot_state_init_motion", moving},
+      {"dashpot_params_setting", read_setting}, {"dashpot_params_set_grid and values over it", grid},
   };
   long worst[sizeof calls / sizeof calls[0]] = {0}, thread, most = 0;
   size_t k, s, i;
@@ -105,7 +129,7 @@ int main(void) {
     dashpot_params_set(&params, "cavitation_onset", 0.5);
     if (dashpot_model_init(&model, &params) != 0 || dashpot_state_init(&model, 0.0, states) != 0) return 2;
     states[1] = states[0];
-    inputs[0] = inputs[1] = dashpot_input_motion(1e-4, 0.2);
+    inputs[0] = inputs[1] = dashpot_input_with_setting(dashpot_input_motion(1e-4, 0.2), 0.9);
     /* Stack that a thread uses before it calls anything. */
     thread = depth(nothing);
     for (k = 1; k < sizeof calls / sizeof calls[0]; k++) {

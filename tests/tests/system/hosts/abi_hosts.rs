@@ -176,6 +176,11 @@ fn copies_batches_and_runs_in_place_are_the_same_run() {
     checks("copies.c");
 }
 
+#[test]
+fn copies_of_an_adjustable_damper_and_its_actuator_are_the_same_run() {
+    checks("copies_setting.c");
+}
+
 /// Checks that no function of the library needs more than 16 KB of stack, the limit that the header states. The program
 /// `stack.c` measures each function on a separate stack.
 #[test]
@@ -183,7 +188,7 @@ fn no_function_takes_more_than_16_kilobytes_of_stack() {
     let directory = tempfile::tempdir().expect("a directory");
     let program = host("stack.c", C, Linkage::Static, &["-pthread"], directory.path());
     let depths = succeed(&mut Command::new(program));
-    assert!(depths.lines().count() >= 13, "{depths}");
+    assert!(depths.lines().count() >= 20, "{depths}");
     println!("{depths}");
 }
 

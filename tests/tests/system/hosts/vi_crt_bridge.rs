@@ -4,6 +4,7 @@
 use dashpot_test_support::skipped;
 use dashpot_tests::bridge::{MODEL, bridge_host, map, sources};
 use dashpot_tests::library::{root, succeed};
+use std::path::Path;
 use std::process::Command;
 
 #[test]
@@ -77,13 +78,12 @@ fn only_create_and_destroy_allocate_and_read() {
 
 /// Checks a simulation of two minutes of driving through the bridge; `tests/hosts/soak.c` describes a run of half an
 /// hour.
-#[test]
-fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
+///
+/// `settings` are the soft and the firm setting of a damper that depends on one. A controller switches between them.
+fn long_drive(model: &Path, settings: &[&str]) {
     let directory = tempfile::tempdir().expect("a directory");
-    let model = directory.path().join("model.toml");
-    std::fs::write(&model, MODEL).expect("a model file");
     let program = bridge_host("soak.c", &["-O2"], directory.path());
-    let output = Command::new(program).arg(&model).arg("120").output().expect("the host runs");
+    let output = Command::new(program).arg(model).arg("120").args(settings).output().expect("the host runs");
     if output.status.code() == Some(3) {
         skipped(String::from_utf8_lossy(&output.stderr).trim());
         return;
@@ -102,4 +102,18 @@ fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
     // This difference must not accumulate.
     assert!(figure("drift_mm ") < 1.0, "{text}");
     assert!((figure("rms_late_n ") / figure("rms_early_n ") - 1.0).abs() < 0.2, "{text}");
+    assert_eq!(figure("switches ") > 1000.0, !settings.is_empty(), "{text}");
+}
+
+#[test]
+fn a_long_drive_neither_drifts_nor_grows_nor_calls_the_system() {
+    let directory = tempfile::tempdir().expect("a directory");
+    let model = directory.path().join("model.toml");
+    std::fs::write(&model, MODEL).expect("a model file");
+    long_drive(&model, &[]);
+}
+
+#[test]
+fn nor_does_a_long_drive_with_controlled_dampers_and_their_valves() {
+    long_drive(&root().join("examples/semi_active.toml"), &["0.1", "1.4"]);
 }
