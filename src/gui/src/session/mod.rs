@@ -362,8 +362,8 @@ impl Session {
         Some(model.dampers(model.params(), self.own_settings))
     }
 
-    /// Returns whether the errors and forces at hand are provisional: those of one cycle of each test, or those of another model, until the
-    /// whole records are simulated.
+    /// Returns whether the errors and forces at hand are provisional. They are so until the whole records are simulated: forces of one cycle
+    /// of each test, or forces of another model.
     pub fn are_errors_provisional(&self) -> bool {
         self.simulated.as_ref().is_some_and(|of| of.quick || self.dampers().is_none_or(|now| now != of.dampers))
     }
