@@ -1,6 +1,7 @@
 """Compares model exchange in FMPy's CVODE, with default options, with the co-simulation of the same FMU at steps of a tenth of the output
-interval. Arguments: FMU, limit in percent of the largest force, then tests as amplitude:frequency, m and Hz. If DASHPOT_FMUSIM names the
-program fmusim, it runs the tests, too."""
+interval. Arguments: FMU, limit in percent of the largest force, then tests as amplitude:frequency, m and Hz. A damper that depends on a setting
+has tests as amplitude:frequency:low:high, whose setting moves between low and high. If DASHPOT_FMUSIM names the program fmusim, it runs the
+tests, too."""
 import contextlib
 import csv
 import io
@@ -21,17 +22,28 @@ path, limit, tests = sys.argv[1], float(sys.argv[2]), [tuple(map(float, t.split(
 description = read_model_description(path, validate=False)
 folder = extract(path)
 reference = {v.name: v.valueReference for v in description.modelVariables}
-inputs, force = [reference["displacement"], reference["velocity"]], [reference["force"]]
+names = ["displacement", "velocity"] + ["setting"] * ("setting" in reference)
+inputs, force = [reference[name] for name in names], [reference["force"]]
 three = description.fmiVersion.startswith("3")
 fmusim = os.environ.get("DASHPOT_FMUSIM")
 
 
+def course(test, t):
+    """Returns the inputs of a test at a time: displacement, velocity, and the setting if the damper depends on one."""
+    amplitude, frequency, *ends = test
+    at = motion(amplitude, frequency, t)
+    if ends:
+        low, high = ends
+        at.append(low + (high - low) * (0.5 + 0.5 * math.sin(2 * math.pi * 3.0 * t)))
+    return at
+
+
 def right(test, interval, parts=10):
-    fmu = begun(description, folder, False, lambda u: (u.setFloat64 if three else u.setReal)(inputs, motion(*test, 0.0)))
+    fmu = begun(description, folder, False, lambda u: (u.setFloat64 if three else u.setReal)(inputs, course(test, 0.0)))
     get, put = (fmu.getFloat64, fmu.setFloat64) if three else (fmu.getReal, fmu.setReal)
     forces, h = [get(force)[0]], interval / parts
     for k in range(1, parts * round(SECONDS / interval) + 1):
-        put(inputs, motion(*test, k * h))
+        put(inputs, course(test, k * h))
         fmu.doStep((k - 1) * h, h)
         if k % parts == 0:
             forces.append(get(force)[0])
@@ -43,8 +55,8 @@ def right(test, interval, parts=10):
 def signals(test):
     # The signals are longer than the run, because a solver steps beyond its end and evaluates there.
     t = np.arange(0.0, 1.1 * SECONDS + 1e-9, 1e-4)
-    rows = [(time, *motion(*test, time)) for time in t]
-    return np.array(rows, dtype=[("time", "f8"), ("displacement", "f8"), ("velocity", "f8")])
+    rows = [(time, *course(test, time)) for time in t]
+    return np.array(rows, dtype=[(name, "f8") for name in ("time", *names)])
 
 
 def in_fmpy(test):
@@ -56,7 +68,7 @@ def in_fmpy(test):
 def in_fmusim(test):
     with tempfile.TemporaryDirectory() as at:
         rows = signals(test)
-        np.savetxt(f"{at}/in.csv", rows, delimiter=",", header="time,displacement,velocity", comments="", fmt="%.17g")
+        np.savetxt(f"{at}/in.csv", rows, delimiter=",", header=",".join(("time", *names)), comments="", fmt="%.17g")
         # Older versions of fmusim, which are in C, have no verbs.
         verb = ["simulate"] if subprocess.run([fmusim, "simulate", "--help"], capture_output=True).returncode == 0 else []
         subprocess.run([fmusim, *verb, "--interface-type", "me", "--solver", "cvode", "--stop-time", str(SECONDS), "--output-interval", "1e-3",

@@ -25,9 +25,12 @@ def unpacked(path: str) -> tuple[Path, xml.Element]:
 
 
 class Fmu:
-    """One instance of the FMU in co-simulation."""
+    """One instance of the FMU, in co-simulation or in model exchange."""
 
-    def __init__(self, path: str) -> None:
+    #: Names of the state and of its restoration in the functions of this version of FMI.
+    STATE, DESERIALIZE = "FMUstate", "DeSerialize"
+
+    def __init__(self, path: str, exchange: bool = False) -> None:
         folder, description = unpacked(path)
         self.variables = {v.get("name"): v for v in description.iter("ScalarVariable")}
         self.library = c.CDLL(str(folder / "binaries/linux64/dashpot_damper.so"))
@@ -39,7 +42,7 @@ class Fmu:
 
         make = self.library.fmi2Instantiate
         make.restype = c.c_void_p
-        self.instance = make(b"damper", 1, description.get("guid").encode(), (folder / "resources").as_uri().encode(), c.byref(Callbacks(logger=self.log)), 0, 1)
+        self.instance = make(b"damper", 0 if exchange else 1, description.get("guid").encode(), (folder / "resources").as_uri().encode(), c.byref(Callbacks(logger=self.log)), 0, 1)
         assert self.instance
         self.call("SetupExperiment", 0, c.c_double(0), c.c_double(0), 0, c.c_double(0))
 
@@ -69,38 +72,45 @@ class Fmu:
             self.set(name, value)
         self.call("ExitInitializationMode")
 
-    def do_step(self, time: float) -> None:
-        self.call("DoStep", c.c_double(time), c.c_double(STEP), 1)
+    def further(self) -> list[object]:
+        """Returns the arguments of DoStep after time and step."""
+        return [1]
+
+    def do_step(self, time: float, step: float = STEP) -> None:
+        self.call("DoStep", c.c_double(time), c.c_double(step), *self.further())
 
     def serialized(self) -> c.Array:
         """Returns the state of the instance as bytes."""
         state, size = c.c_void_p(), c.c_size_t()
-        self.call("GetFMUstate", c.byref(state))
-        self.call("SerializedFMUstateSize", state, c.byref(size))
+        self.call("Get" + self.STATE, c.byref(state))
+        self.call(f"Serialized{self.STATE}Size", state, c.byref(size))
         content = (c.c_char * size.value)()
-        self.call("SerializeFMUstate", state, content, size)
-        self.call("FreeFMUstate", c.byref(state))
+        self.call("Serialize" + self.STATE, state, content, size)
+        self.call("Free" + self.STATE, c.byref(state))
         return content
 
     def restore(self, content: c.Array) -> None:
         state = c.c_void_p()
-        self.call("DeSerializeFMUstate", content, c.c_size_t(len(content)), c.byref(state))
-        self.call("SetFMUstate", state)
-        self.call("FreeFMUstate", c.byref(state))
+        self.call(self.DESERIALIZE + self.STATE, content, c.c_size_t(len(content)), c.byref(state))
+        self.call("Set" + self.STATE, state)
+        self.call("Free" + self.STATE, c.byref(state))
 
 
 class Fmu3(Fmu):
-    """One instance of an FMU of FMI 3.0 in co-simulation."""
+    """One instance of an FMU of FMI 3.0, in co-simulation or in model exchange."""
 
-    def __init__(self, path: str) -> None:
+    STATE, DESERIALIZE = "FMUState", "Deserialize"
+
+    def __init__(self, path: str, exchange: bool = False) -> None:
         folder, description = unpacked(path)
         self.variables = {v.get("name"): v for v in description.find("ModelVariables")}
         self.library = c.CDLL(str(folder / "binaries/x86_64-linux/dashpot_damper.so"))
-        make = self.library.fmi3InstantiateCoSimulation
+        make = self.library.fmi3InstantiateModelExchange if exchange else self.library.fmi3InstantiateCoSimulation
         make.restype = c.c_void_p
         token, resources = description.get("instantiationToken").encode(), str(folder / "resources").encode() + b"/"
         none = c.c_void_p(None)
-        self.instance = make(b"damper", token, resources, False, True, False, False, none, c.c_size_t(0), none, none, none)
+        further = (none, none) if exchange else (False, False, none, c.c_size_t(0), none, none, none)
+        self.instance = make(b"damper", token, resources, False, True, *further)
         assert self.instance
 
     def call(self, name: str, *arguments: object) -> None:
@@ -122,10 +132,9 @@ class Fmu3(Fmu):
             self.set(name, value)
         self.call("ExitInitializationMode")
 
-    def do_step(self, time: float) -> None:
+    def further(self) -> list[object]:
         event, terminate, early, last = c.c_bool(), c.c_bool(), c.c_bool(), c.c_double()
-        flags = [c.byref(flag) for flag in (event, terminate, early, last)]
-        self.call("DoStep", c.c_double(time), c.c_double(STEP), c.c_bool(True), *flags)
+        return [c.c_bool(True), *(c.byref(flag) for flag in (event, terminate, early, last))]
 
 
 def loop(rest, step, seed: int = 1) -> list[float]:

@@ -103,10 +103,28 @@ static int moved(struct instance *instance, uint32_t unknown, uint32_t known, do
     return answer;
 }
 
+/* Returns the ends of the differences with respect to the setting `at`, relative to it. They stay inside the grid, at whose ends the
+ * setting is clamped. Their distance is a fraction of the grid, whatever the unit of the setting is. */
+static void setting_ends(const struct part *part, double at, double *down, double *up)
+{
+    dashpot_setting setting;
+    double low, high, by;
+
+    setting.struct_size = (uint32_t)sizeof setting;
+    *down = *up = 0.0;
+    if (dashpot_params_setting(&part->corner.params, &setting) < 0 || setting.count < 2)
+        return;
+    low = setting.grid[0];
+    high = setting.grid[setting.count - 1];
+    by = 1e-6 * (high - low);
+    *down = at >= low && at - by < low ? 0.0 : -by;
+    *up = at <= high && at + by > high ? 0.0 : by;
+}
+
 int instance_partial(struct instance *instance, uint32_t unknown, uint32_t known, double *partial)
 {
     const struct variable *u, *k;
-    double up, down, by, at, usual, ignored;
+    double up, down, from, to, at, usual, ignored;
 
     *partial = 0.0;
     if (unknown >= instance->contents->variables || known >= instance->contents->variables)
@@ -126,9 +144,14 @@ int instance_partial(struct instance *instance, uint32_t unknown, uint32_t known
     if (k->kind == SETTING && instance->exchange && (u->kind == FORCE || u->kind == RATE))
         return by_setting(instance, u, partial);
     usual = k->kind == SIDE_FORCE || k->kind == TEMPERATURE ? 1.0 : 1e-3;
-    by = 1e-6 * (fabs(at) > usual ? fabs(at) : usual);
-    if (moved(instance, unknown, known, by, &up) || moved(instance, unknown, known, -by, &down))
+    to = 1e-6 * (fabs(at) > usual ? fabs(at) : usual);
+    from = -to;
+    if (k->kind == SETTING)
+        setting_ends(&instance->data->part[k->corner], at, &from, &to);
+    if (from == to)
+        return 0;
+    if (moved(instance, unknown, known, to, &up) || moved(instance, unknown, known, from, &down))
         return -1;
-    *partial = (up - down) / (2.0 * by);
+    *partial = (up - down) / (to - from);
     return 0;
 }

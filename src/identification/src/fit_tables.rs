@@ -122,6 +122,12 @@ pub struct FvOnly {
 }
 
 impl Identification {
+    /// Returns whether a fit made the results. The numbers of a file without them are not identified.
+    pub fn is_of_a_fit(&self) -> bool {
+        let has_no_interval = self.intervals.is_empty() && self.intervals_over_setting.is_empty();
+        !(has_no_interval && self.not_identified.is_empty() && self.tests.is_empty())
+    }
+
     /// Returns whether the fit used this record. The fingerprints of the measurements must agree. Names decide only for a file without
     /// fingerprints.
     pub fn used(&self, record: &Record) -> bool {

@@ -22,6 +22,7 @@ pub mod peaks;
 mod phrases;
 mod rare_values;
 pub mod remarks;
+pub mod setting_energy;
 pub mod setting_units;
 mod short;
 mod texts;

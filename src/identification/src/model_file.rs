@@ -6,6 +6,7 @@
 
 use super::short::short;
 pub use crate::fit_tables::{FvOnly, FvOnlyAt, Identification, Interval, IntervalOverSetting};
+use crate::setting_energy::energy_remark;
 use crate::{Estimate, Fit, Measured, Standing, describe_item, to_measurement_error};
 use crate::{edited, remarks};
 use dashpot_core::family::axis::ENTRIES;
@@ -141,8 +142,18 @@ impl ModelFile {
         ModelFile { params, axis, identification, specified, edited }
     }
 
-    /// Returns remarks on three kinds of numbers: those of disabled elements, missing numbers, and numbers changed since the fit.
+    /// Returns remarks on three kinds of numbers: those of disabled elements, missing numbers, and numbers changed since the fit. For a damper
+    /// over a setting that no fit made, or that was changed since, also returns [`energy_remark`]. A fit has its own note.
     pub fn remarks(&self) -> Vec<Sentence> {
+        let mut all = self.remarks_on_numbers();
+        if self.axis.is_some() && (!self.identification.is_of_a_fit() || self.was_changed()) {
+            all.extend(energy_remark(&self.definition()));
+        }
+        all
+    }
+
+    /// Returns the remarks on numbers of disabled elements, missing numbers, and numbers changed since the fit.
+    pub fn remarks_on_numbers(&self) -> Vec<Sentence> {
         let mut all = remarks::idle(&self.specified, &self.params);
         all.extend(remarks::on_defaults(&self.specified, &self.params, &self.identification));
         all.extend(remarks::edited(&self.edited));

@@ -81,7 +81,11 @@ dashpot_messages::phrases! {
     SETTING_DOUBT: "the forces of {test} are those of about {fitting}, not of {stated}: the model misses them by {fitting_error} N there and by {stated_error} N here. Check the setting of the test and its unit";
     LABELS_EXCHANGED: "the damping force does not rise or fall throughout over the {name}; with {one} and {other} exchanged it would. Check the labels of these tests; a damper that is really so is modeled as measured";
     LABELS_OPPOSED: "over the {name} the damping force in {direction} rises near {rising} mm/s and falls near {falling} mm/s. Some tests may count the {name} from the other end: check their labels; a damper that is really so is modeled as measured";
-    FAMILY_STORES: "a change of {setting} may do work on the host, for it changes {names}: energy that is stored, or a force at rest";
+    FAMILY_STORES: "a change of {setting} may do work on the host, because it changes stored energy or a force at rest: {sources}";
+    ENERGY_OF_NUMBER: "{name} {range}";
+    ENERGY_AT_REST: "the force of the FV curve at zero velocity, {range}";
+    ENERGY_OF_LAG: "the lagging force of {element}";
+    ENERGY_RANGE: "{low} at {low_at} to {high} at {high_at}";
     FAMILY_NO_SETTING: "no test says its {name}. Write it into the names of all tests (800mA, 12clicks, 150psi), or name its column (--column setting=HEADING). For a column of currents without a unit, give --unit current=A. Or write setting and [settings] into campaign.toml beside the records{unread}";
     FAMILY_UNREAD: "; {note}";
     FAMILY_OTHER_SETTING: "no test says its {name}; the tests have a setting called {known}: give --setting with that name";

@@ -1674,7 +1674,11 @@ identification-label-stray = { $test } gibt { $name } { $stated } an, doch seine
 identification-setting-doubt = die Kräfte von { $test } sind etwa die von { $fitting }, nicht die von { $stated }: dort verfehlt das Modell sie um { $fitting_error } N, hier um { $stated_error } N. Die Einstellung des Versuchs und ihre Einheit prüfen
 identification-labels-exchanged = die Dämpfkraft steigt oder fällt über { $name } nicht durchgehend; mit { $one } und { $other } vertauscht täte sie es. Die Angaben dieser Versuche prüfen; ein Dämpfer, der wirklich so ist, wird wie gemessen modelliert
 identification-labels-opposed = über { $name } steigt die Dämpfkraft in { $direction } nahe { $rising } mm/s und fällt nahe { $falling } mm/s. Vielleicht zählen manche Versuche { $name } vom anderen Ende: ihre Angaben prüfen; ein Dämpfer, der wirklich so ist, wird wie gemessen modelliert
-identification-family-stores = eine Änderung von { $setting } kann am Fahrzeug Arbeit leisten, denn sie ändert { $names }: gespeicherte Energie oder eine Kraft in Ruhe
+identification-family-stores = eine Änderung von { $setting } kann am Fahrzeug Arbeit leisten, denn sie ändert gespeicherte Energie oder eine Kraft in Ruhe: { $sources }
+identification-energy-of-number = { $name } { $range }
+identification-energy-at-rest = die Kraft der FV-Kurve bei Geschwindigkeit null, { $range }
+identification-energy-of-lag = die nacheilende Kraft von { $element }
+identification-energy-range = { $low } bei { $low_at } bis { $high } bei { $high_at }
 identification-family-no-setting = kein Versuch nennt { $name }. In die Namen aller Versuche schreiben (800mA, 12clicks, 150psi), die Spalte angeben (--column setting=HEADING), die Einheit einer Stromspalte ohne Einheit nennen (--unit current=A), oder setting und [settings] in campaign.toml daneben eintragen{ $unread }
 identification-family-unread = ; { $note }
 identification-family-other-setting = kein Versuch nennt { $name }; die Versuche haben eine Einstellung namens { $known }: --setting mit diesem Namen angeben

@@ -1719,7 +1719,11 @@ identification-label-stray = { $test } indique { $name } { $stated }, mais ses f
 identification-setting-doubt = les efforts de { $test } sont ceux d’environ { $fitting }, non ceux de { $stated } : là, le modèle s’en écarte de { $fitting_error } N, ici de { $stated_error } N. Vérifier le réglage de l’essai et son unité
 identification-labels-exchanged = l’effort d’amortissement ne croît ni ne décroît d’un bout à l’autre de { $name } ; il le ferait avec { $one } et { $other } échangés. Vérifier les indications de ces essais ; un amortisseur réellement ainsi est modélisé comme mesuré
 identification-labels-opposed = sur { $name }, l’effort d’amortissement en { $direction } croît vers { $rising } mm/s et décroît vers { $falling } mm/s. Certains essais comptent peut-être { $name } depuis l’autre bout : vérifier leurs indications ; un amortisseur réellement ainsi est modélisé comme mesuré
-identification-family-stores = un changement de { $setting } peut fournir un travail au véhicule, car il modifie { $names } : énergie accumulée ou force au repos
+identification-family-stores = un changement de { $setting } peut fournir un travail au véhicule, car il modifie une énergie accumulée ou une force au repos : { $sources }
+identification-energy-of-number = { $name } { $range }
+identification-energy-at-rest = la force de la courbe FV à vitesse nulle, { $range }
+identification-energy-of-lag = la force retardée de { $element }
+identification-energy-range = { $low } à { $low_at } jusqu’à { $high } à { $high_at }
 identification-family-no-setting = aucun essai n’indique { $name }. L’écrire dans les noms de tous les essais (800mA, 12clicks, 150psi), donner sa colonne (--column setting=HEADING), donner l’unité d’une colonne de courant qui n’en a pas (--unit current=A), ou écrire setting et [settings] dans campaign.toml à côté{ $unread }
 identification-family-unread = {" "}; { $note }
 identification-family-other-setting = aucun essai n’indique { $name } ; les essais ont un réglage nommé { $known } : donner --setting avec ce nom

@@ -1461,7 +1461,11 @@ identification-label-stray = { $test } 标明 { $name } { $stated }，但其力�
 identification-setting-doubt = { $test } 的力约为 { $fitting } 的力，而非 { $stated } 的力：模型在前者偏差 { $fitting_error } N，在后者偏差 { $stated_error } N。请检查该试验的设定值及其单位
 identification-labels-exchanged = 阻尼力在 { $name } 上并非单调变化；若将 { $one } 与 { $other } 互换则会单调。请检查这些试验的标注；若阻尼器确实如此，则按测量建模
 identification-labels-opposed = 在 { $name } 上，{ $direction }阻尼力在 { $rising } mm/s 附近上升，在 { $falling } mm/s 附近下降。某些试验的 { $name } 可能从另一端计数：请检查其标注；若阻尼器确实如此，则按测量建模
-identification-family-stores = 改变 { $setting } 可能对宿主做功，因为它改变 { $names }：储存的能量或静止时的力
+identification-family-stores = 改变 { $setting } 可能对宿主做功，因为它改变储存的能量或静止时的力：{ $sources }
+identification-energy-of-number = { $name } { $range }
+identification-energy-at-rest = FV 曲线在零速度时的力，{ $range }
+identification-energy-of-lag = { $element } 的滞后力
+identification-energy-range = 从 { $low_at } 时的 { $low } 到 { $high_at } 时的 { $high }
 identification-family-no-setting = 没有试验说明 { $name }。请写入所有试验的名称（800mA、12clicks、150psi），给出其列（--column setting=HEADING），给出无单位电流列的单位（--unit current=A），或在旁边的 campaign.toml 中写入 setting 和 [settings]{ $unread }
 identification-family-unread = ；{ $note }
 identification-family-other-setting = 没有试验说明 { $name }；试验的设置名为 { $known }：请用该名称给出 --setting

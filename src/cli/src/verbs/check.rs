@@ -5,6 +5,7 @@ use super::host_step::HostArgs;
 use super::model;
 use anyhow::bail;
 use dashpot_identification::model_file;
+use dashpot_identification::setting_energy::energy_remark;
 use dashpot_output::Kind;
 use dashpot_simulation::chatter::{Figures, Ready};
 use serde::Serialize;
@@ -15,7 +16,8 @@ use std::path::PathBuf;
 /// A real-time host computes the force once a step and keeps it constant. If the damper is too steep for the mass that it moves, the force
 /// then alternates from step to step. Reports the gain c·h/m, and the result of a simulated host loop with its mass on a tire. Also reports
 /// the element that causes chatter, and the longest step without chatter. --for-step writes a damper that does not chatter. Also reports
-/// the fastest rate of the damper's states, for hosts that integrate them (model exchange).
+/// the fastest rate of the damper's states, for hosts that integrate them (model exchange). A note names what of a damper over a setting may
+/// do work on the host when the setting changes.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml\n  dashpot check damper.toml --host-step 0.001 --strict || echo \"not for this host\"\n\nIt ends with 0 whatever the gain is; with \
@@ -47,7 +49,7 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         bail!("standard output takes one result: give -o or --json a file");
     }
     dashpot_output::check_kinds([(out, Kind::Model), (json, Kind::Figures)])?;
-    let file = model::read_family(&args.model)?;
+    let file = model::read_for_check(&args.model)?;
     let of_family = file.axis.is_some();
     if of_family && out.is_some() {
         bail!(
@@ -61,6 +63,9 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         for line in ready.messages().into_iter().chain(ready.stiffness()?) {
             dashpot_output::say(on_stdout, &format!("{at}{line}"))?;
         }
+    }
+    if let Some(remark) = energy_remark(&file.definition()) {
+        dashpot_output::say(on_stdout, &format!("note: {remark}"))?;
     }
     if let (Some(path), [(_, ready)]) = (out, dampers.as_slice()) {
         if ready.softened.is_none() {

@@ -2,7 +2,7 @@
 
 use dashpot_core::family::Axis;
 use dashpot_identification::model_file::{self, ModelFile, ModelFileError};
-use dashpot_messages::format_number;
+use dashpot_messages::{Sentence, format_number};
 use std::path::Path;
 
 /// Reads a model file of an ordinary damper, and prints its notes.
@@ -15,10 +15,21 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     with_notes_printed(path, model_file::read_family(path)?)
 }
 
-fn with_notes_printed(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
-    // Notes go to standard error, because the result may go to standard output.
-    file.remarks().iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
+/// Reads a model file of an ordinary or an adjustable damper, and prints its notes on numbers alone.
+pub fn read_for_check(path: &Path) -> Result<ModelFile, ModelFileError> {
+    let file = model_file::read_family(path)?;
+    print_notes(path, file.remarks_on_numbers());
     Ok(file)
+}
+
+fn with_notes_printed(path: &Path, file: ModelFile) -> Result<ModelFile, ModelFileError> {
+    print_notes(path, file.remarks());
+    Ok(file)
+}
+
+/// Prints notes to standard error, because the result may go to standard output.
+fn print_notes(path: &Path, notes: Vec<Sentence>) {
+    notes.iter().for_each(|note| dashpot_output::warn(&format!("note: {}: {note}", path.display())));
 }
 
 /// Returns the name of the setting on which a damper depends, or "setting" if the model file does not name it.

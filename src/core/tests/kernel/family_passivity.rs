@@ -168,8 +168,9 @@ fn between_two(curves: Option<[&[f64]; 2]>, numbers: &[(Number, [f64; 2])]) -> A
     axis
 }
 
-/// Each of these dependences returns energy over closed cycles if the setting assists the motion: so the other test can
-/// see such energy, and the remarks on a model file must name them.
+/// Returns energy over closed cycles by each of these dependences, if the setting assists the motion.
+///
+/// The test of random dampers can therefore see such energy, and the remarks on a model file must name these numbers.
 #[test]
 fn a_stored_force_of_the_setting_returns_energy() {
     let curve = |rest: f64| [-20.0 + rest, rest - 10.0, rest, rest + 10.0, rest + 20.0];

@@ -328,9 +328,7 @@ impl Tuned {
 
     /// Returns whether a fit made the file. The values of any other file are not identified.
     pub fn is_of_a_fit(&self) -> bool {
-        let of = &self.identification;
-        let has_no_interval = of.intervals.is_empty() && of.intervals_over_setting.is_empty();
-        !(has_no_interval && of.not_identified.is_empty() && of.tests.is_empty())
+        self.identification.is_of_a_fit()
     }
 
     /// Returns the identified value of a parameter, or `None` if the fit did not identify it. Without a fit, this is the value in the file.

@@ -14,6 +14,7 @@ use crate::fit::{
 use crate::intervals::{Estimate, Known, Standing, sources};
 use crate::of_the_rig::{Measured, can_distinguish_delay, measured};
 use crate::rare_values::describe_rare;
+use crate::setting_energy::energy_remark;
 use crate::{FitOptions, Stage, phrases};
 use dashpot_core::family::{Definition, Family};
 use dashpot_core::parameter::table;
@@ -424,15 +425,10 @@ fn at_setting(axis: &SettingAxis, value: f64, said: Sentence) -> Sentence {
     Sentence::from(phrases::FAMILY_AT).with("name", &axis.name).with("value", value).with_sentence("why", said)
 }
 
-/// Returns remarks for the engineer on numbers whose change with the setting changes stored energy, and on numbers not identified or at a
-/// bound.
+/// Returns remarks for the engineer: on numbers through which a change of the setting may do work, not identified, or at a bound.
 fn notes(damper: &Definition, estimates: &[FamilyEstimate], axis: &SettingAxis) -> Vec<Sentence> {
     let mut notes = Vec::new();
-    let stored: Vec<&str> = damper.axis.stores_energy().map(|number| number.name()).collect();
-    if !stored.is_empty() {
-        let text = Sentence::from(phrases::FAMILY_STORES).with("setting", &axis.name);
-        notes.push(text.with_names("names", stored, phrases::COMMA));
-    }
+    notes.extend(energy_remark(damper));
     for FamilyEstimate { setting, estimate } in estimates {
         let said = match estimate.standing {
             Standing::NotIdentified if estimate.index.is_none() => of_number(phrases::HELD, estimate),

@@ -130,3 +130,34 @@ fn a_family_is_checked_at_every_setting() {
     let message = refused(dir, &["check", "family.toml", "--for-step", "0.001", "-o", "ready.toml"]);
     assert!(message.contains("dashpot setting"), "{message}");
 }
+
+/// Checks the note on a family, made by hand, that may do work on the host when its setting changes.
+#[test]
+fn a_family_that_may_supply_energy_is_named_with_the_number() {
+    let folder = steep();
+    let dir = folder.path();
+    let over = "format = 1\nsetting = [0.0, 1.0]\nsetting_name = \"current\"\nsetting_unit = \"A\"\n";
+    let passive = STEEP.replace("format = 1\n", over).replace("coulomb_force = 40.0", "coulomb_force = [20.0, 40.0]");
+    let curve = passive.replace("[-900.0, 0.0, 1500.0]", "[[-900.0, 100.0, 1500.0], [-1500.0, 300.0, 2500.0]]");
+    let contact = passive.replace("coulomb_friction\"", "coulomb_friction\", \"presliding_friction\"");
+    let contact = format!("{contact}presliding_force = [38.0, 900.0]\n");
+    for (name, text, number) in [
+        ("passive", passive, None),
+        ("curve", curve, Some("zero velocity, 100.0 N at 0 A to 300.0 N at 1 A")),
+        ("contact", contact, Some("presliding_force 38.00 N at 0 A to 900.0 N at 1 A")),
+    ] {
+        let file = format!("{name}.toml");
+        std::fs::write(dir.join(&file), text).unwrap();
+        let told = done(dir, &["check", &file]);
+        let note = told.lines().find(|line| line.starts_with("note: a change of current may do work"));
+        assert_eq!(note.is_some(), number.is_some(), "{name}: {told}");
+        let read = run(dir, &["setting", &file, "0.5", "-o", &format!("{name}_one.toml")]);
+        assert_eq!(read.code, Some(0), "{}", read.err);
+        for said in [note, number.map(|_| read.err.as_str())].into_iter().flatten() {
+            assert!(number.is_some_and(|number| said.contains(number)), "{name}: {said}");
+        }
+        assert_eq!(read.err.contains("may do work"), number.is_some(), "{name}: {}", read.err);
+        // The check has the note once, on standard output.
+        assert!(!run(dir, &["check", &file]).err.contains("may do work"), "{name}");
+    }
+}

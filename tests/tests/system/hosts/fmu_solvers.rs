@@ -58,3 +58,22 @@ fn every_element() {
         println!("{} in FMI {fmi}\n{}", group.name, within_one_percent(&text, fmi, &[motion]));
     }
 }
+
+/// Checks a damper whose setting moves during the run. Hosts keep the setting constant between two points at which they set it, and so does
+/// the co-simulation that the test compares with.
+#[test]
+fn a_setting_that_moves() {
+    if !has_python() {
+        return;
+    }
+    let model = std::fs::read_to_string(root().join("examples/semi_active.toml")).expect("a model file");
+    // In model exchange the input is the command behind the dead time.
+    let text = model.replace("setting_dead_time = 0.003", "setting_dead_time = 0.0");
+    assert_ne!(text, model);
+    let direct = text.replace("setting_time_", "# setting_time_").replace("setting_hysteresis", "# setting_hysteresis");
+    for (name, text) in [("with an actuator", &text), ("without an actuator", &direct)] {
+        for fmi in ["2", "3"] {
+            println!("{name} in FMI {fmi}\n{}", within_one_percent(text, fmi, &["0.03:1.5:0:1.6", "0.002:12:0.2:1.4"]));
+        }
+    }
+}
