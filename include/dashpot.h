@@ -1,4 +1,4 @@
-// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test source abi_header`; do not edit.
+// Written from src/abi by `UPDATE_HEADER=1 cargo test --profile tests -p dashpot-tests --test source abi_header`; do not edit.
 
 // dashpot: an automotive suspension damper for simulators.
 //

@@ -24,7 +24,7 @@ pub fn path() -> PathBuf {
 /// Generates the text of the C header.
 pub fn text() -> String {
     let mut header = String::from(
-        "// Written from src/abi by `UPDATE_HEADER=1 cargo test -p dashpot-tests --test source abi_header`; do not edit.\n\n",
+        "// Written from src/abi by `UPDATE_HEADER=1 cargo test --profile tests -p dashpot-tests --test source abi_header`; do not edit.\n\n",
     );
     let mut sections = SECTIONS.iter();
     header += &comment(&manual(sections.next().expect("the title")));

@@ -8,6 +8,13 @@
 //! - `stateful`: parallel to the whole damper, with one internal state;
 //! - `stops`: parallel to the whole damper, at the ends of its stroke.
 //!
+//! The block also defines the output to which a force is added, besides the total force: `inner` the spring force,
+//! `friction` the friction force, `preload` the gas force, and `stops` the stop force. An element of `stateful` selects
+//! its output by [`crate::element::StatefulForce::component`].
+//!
+//! The block `default` names the elements that are on in a new parameter set. The name of a line is the name of the
+//! element in model files.
+//!
 //! The coupled elements in the force path come first; their list is [`crate::paths::list`].
 //!
 //! Internal states are stored in [`crate::State::internal`] in the order of the list, only for elements that are on.

@@ -53,7 +53,8 @@ pub struct Parameter {
 }
 
 impl Parameter {
-    /// Makes a row with one number.
+    /// Makes a row with one number. `bounds` are the smallest and the largest value in a damper of a passenger car. If
+    /// `unit` contains a force, the bounds of the row are wider, for a damper of any size ([`SIZES`]).
     pub const fn scalar(
         name: &'static str,
         unit: &'static str,

@@ -15,7 +15,7 @@ fn is_up_to_date() {
     let kept = fs::read_to_string(&path).expect("include/dashpot.h");
     if let Some((line, (kept, text))) = kept.lines().zip(text.lines()).enumerate().find(|(_, (a, b))| a != b) {
         panic!(
-            "include/dashpot.h, line {}: has\n{kept}\nbut the sources say\n{text}\nWrite it anew: UPDATE_HEADER=1 cargo test -p dashpot-tests --test source abi_header",
+            "include/dashpot.h, line {}: has\n{kept}\nbut the sources say\n{text}\nWrite it anew: UPDATE_HEADER=1 cargo test --profile tests -p dashpot-tests --test source abi_header",
             line + 1
         );
     }

@@ -31,7 +31,7 @@ fn page() -> String {
     let default = Params::new();
     let mut out = String::from(
         "# Elements and parameters\n\n\
-         `UPDATE_DOCS=1 cargo test --release --test source parameter_page` writes this page from the kernel's parameter table.\n\n\
+         `UPDATE_DOCS=1 cargo test --profile tests -p dashpot-tests --test source parameter_page` writes this page from the kernel's parameter table.\n\n\
          All numbers are in SI units. Extension (rebound) velocity and tension force are positive. The model file,\n\
          `dashpot_params_set` in C and the reports use these names. A model file names the elements that are on. Parameters\n\
          that it does not name keep their defaults.\n\n\
