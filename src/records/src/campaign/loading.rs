@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::file_search::{Below, Found, file_name, find};
 use super::profile;
 use super::record_file::read_file;
-use super::unusable::{self, Sieve, Unusable};
+use super::unusable::{self, FaultFilter, Unusable};
 use super::{common_clock, date_agreement};
 use crate::checks::sign::{self, SignFinding};
 use crate::checks::{deviating_tests, force_levels, force_offset, plausibility, truncated_test, unit_magnitude};
@@ -124,10 +124,10 @@ pub fn load(
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());
     }
-    let mut sieve = Sieve::new(options.strict);
+    let mut filter = FaultFilter::new(options.strict);
     let mut tests: Vec<(&Options, Samples)> = Vec::new();
     for (file, read) in files.iter().zip(read) {
-        let mut read = sieve.pass(read)?.unwrap_or_default();
+        let mut read = filter.pass(read)?.unwrap_or_default();
         read.iter_mut().for_each(|test| test.name.insert_str(0, &file.within));
         let kept = read.into_iter().filter(|test| !excluded.takes(&file.options, &test.name));
         tests.extend(kept.map(|test| (&*file.options, test)));
@@ -136,16 +136,16 @@ pub fn load(
         let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
         return Err(RecordError::ExcludesNothing { pattern: pattern.clone(), first });
     }
-    if tests.is_empty() && sieve.is_empty() {
+    if tests.is_empty() && filter.is_empty() {
         return Err(RecordError::ExcludesAll { count: excluded.count });
     }
-    date_agreement::settle(&mut tests, &mut notes);
+    date_agreement::decide_order(&mut tests, &mut notes);
     notes.extend(below.iter().map(Below::note));
     let sorted: Vec<(&Options, Result<Vec<Samples>, RecordError>)> =
         tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();
     let mut pieces = Vec::new();
     for (options, sorted) in sorted {
-        pieces.extend(sieve.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
+        pieces.extend(filter.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
     }
     counter.expect(files.len() + pieces.len());
     let readings = pieces
@@ -168,11 +168,11 @@ pub fn load(
         })
         .collect();
     let mut motions =
-        mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
-    sieve.reject_most(motions.len())?;
+        mended.into_iter().map(|m| filter.pass(m)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    filter.reject_most(motions.len())?;
     tell_splits(&motions, &mut notes);
     let mut of_the_sign = Vec::new();
-    let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
+    let (sign, delay) = sign::determine(&mut motions, options, &mut of_the_sign)?;
     let counted = sign.counted();
     let finished: Vec<Result<Record, RecordError>> = motions
         .into_par_iter()
@@ -180,14 +180,14 @@ pub fn load(
             let mut record = cleaning::finish(motion)?;
             record.counted = Some(counted);
             record.apparent_delay_s = delay.map_or(0.0, |delay| delay.seconds);
-            plausibility::refuse_absurd(&record, options)?;
+            plausibility::reject_absurd(&record, options)?;
             Ok(record)
         })
         .collect();
     let mut records =
-        finished.into_iter().map(|r| sieve.pass(r)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
-    sieve.reject_most(records.len())?;
-    let unusable = sieve.report(&mut notes);
+        finished.into_iter().map(|r| filter.pass(r)).filter_map(Result::transpose).collect::<Result<Vec<_>, _>>()?;
+    filter.reject_most(records.len())?;
+    let unusable = filter.report(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
     let is_without = records.iter().all(|record| record.setting.is_none() && record.setting_signal.is_none());
@@ -195,16 +195,16 @@ pub fn load(
         return Err(RecordError::NoSettingColumn { wanted: wanted.clone() });
     }
     assignment::assign_settings(&mut records, &options.settings, &mut notes);
-    common_clock::settle(&mut records, &mut notes);
-    unit_magnitude::refuse(&records, options)?;
+    common_clock::assign(&mut records, &mut notes);
+    unit_magnitude::reject(&records, options)?;
     deviating_tests::check(&records, &readings, &mut notes)?;
     let frame = rig_frame(&records, sign.positive, options, counts_inches);
     records.iter_mut().for_each(|record| record.frame = frame);
     plausibility::remark(&records, options, &mut notes)?;
     let in_the_middle = force_levels::in_the_middle(&records);
-    force_offset::tell(&records, &in_the_middle, &mut notes);
-    unstated_settings::tell(&records, &in_the_middle, &mut notes);
-    truncated_test::tell(&records, &mut notes);
+    force_offset::report(&records, &in_the_middle, &mut notes);
+    unstated_settings::report(&records, &in_the_middle, &mut notes);
+    truncated_test::report(&records, &mut notes);
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
     Ok(Campaign { records, sign, delay, notes, unusable, files })
