@@ -1,7 +1,7 @@
 //! Tuning constants of reading and checking records: thresholds, priors, limits. Each file that uses such constants has
 //! a module here.
 //!
-//! Every constant has its unit and its reason, and names a test or `none`. The test fails when the constant is doubled
+//! Every constant has its unit and its reason, and names a test. The test fails when the constant is doubled
 //! or halved, or changed by a factor of five if doubling and halving have no effect. `tests/tests/source/tuning.rs`
 //! checks the form. Budgets of readers, names and physical constants are in the files that use them.
 
@@ -84,7 +84,7 @@ pub(crate) mod delay {
 
     /// Step of the search for the delay, s. A parabola interpolates between the steps.
     ///
-    /// Test: none.
+    /// Test: `a_delay_is_found_to_a_tenth_of_a_millisecond`.
     pub(crate) const STEP: f64 = 0.001;
 
     /// Smallest ratio of [`LONGEST`] to the period of a test at which the search for a delay uses the test. In slower
@@ -118,7 +118,7 @@ pub(crate) mod delay {
 
     /// Largest ratio of the unexplained force variances with and without the delay at which the delay is reported.
     ///
-    /// Test: none.
+    /// Test: `a_delay_that_explains_little_of_the_force_is_not_reported`.
     pub(crate) const BETTER: f64 = 0.6;
 
     /// Ratio of unexplained force variances, assuming a delay or a reversed sign, below which the cause with the
@@ -148,7 +148,7 @@ pub(crate) mod derivative {
     /// Ratio of the lengths of successive differentiating windows, from the shortest to the longest. A smaller ratio
     /// costs time. With a larger ratio, some samples have a window that is too short by up to this ratio.
     ///
-    /// Test: none.
+    /// Test: `windows_grow_by_less_than_half_and_are_few`.
     pub(crate) const LONGER: f64 = 1.4;
 }
 
@@ -212,7 +212,7 @@ pub(crate) mod force_offset {
     /// Multiple of the acceptable force deviation above which a test counts as reversed. The reversal must also reduce
     /// the deviation to an acceptable value.
     ///
-    /// Test: none.
+    /// Test: `a_small_mean_force_proves_no_turned_test`.
     pub(crate) const STRONG: f64 = 2.0;
 
     /// Largest ratio of scatter to offset at which a changed zero of the load cell explains the deviation of a test.
@@ -280,7 +280,7 @@ pub(crate) mod deviating_tests {
     /// Ratio of two units above which the damper cannot cause the deviation of a test from the other tests. The force
     /// of an adjustable damper changes by a factor of up to 15.
     ///
-    /// Test: none.
+    /// Test: `a_unit_that_no_damper_explains_may_leave_a_residual`.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
 
     /// Largest deviation of a test from the others if its likely unit or label is assumed, as a natural logarithm of
@@ -337,30 +337,18 @@ pub(crate) mod deviating_tests {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 2;
 
-    /// Acceptable deviation of a test from the others in the mean force of the two directions, N. A shifted zero of the
-    /// load cell causes such a deviation.
+    /// Acceptable deviation of a test from the others in the mean force of the two directions, in multiples of the
+    /// scatter of this force between tests. [`load_cell::OFFSET`](super::load_cell::OFFSET) is accepted in addition.
     ///
-    /// Test: none.
-    pub(crate) const CELL_OFFSET: f64 = 15.0;
-
-    /// Acceptable deviation in addition to [`CELL_OFFSET`], in multiples of the scatter between tests of the mean force
-    /// of the two directions.
-    ///
-    /// Test: none.
+    /// Test: `the_scatter_of_the_gas_force_excuses_a_factor`.
     pub(crate) const OF_SCATTER: f64 = 3.0;
 
     /// Smallest ratio of a test's amplitude to that of some other test at which their forces are comparable.
     ///
     /// Mounts, oil compressibility and free play absorb a fraction of short strokes.
     ///
-    /// Test: none.
+    /// Test: `a_test_is_compared_with_strokes_of_up_to_one_and_a_half_times`.
     pub(crate) const AS_LONG: f64 = 0.67;
-
-    /// Largest displacement amplitude, m, for which a unit is plausible. The limit equals that of
-    /// `checks/plausibility.rs`.
-    ///
-    /// Test: none.
-    pub(crate) const LARGEST_AMPLITUDE: f64 = 0.5;
 }
 
 /// Constants of `checks/plausibility.rs`.
@@ -486,7 +474,7 @@ pub(crate) mod sign {
 
     /// Smallest number of samples whose median counts as the force at a speed.
     ///
-    /// Test: none.
+    /// Test: `the_force_at_a_speed_is_the_median_of_ten_samples`.
     pub(crate) const FEWEST: usize = 10;
 }
 
@@ -715,7 +703,7 @@ pub(crate) mod rests {
 
     /// Number of pieces into which the shortest standstill is divided. Each piece must be still.
     ///
-    /// Test: none.
+    /// Test: `a_standstill_longer_by_a_quarter_is_found_at_every_place`.
     pub(crate) const PIECES: usize = 4;
 
     /// Largest range of the displacement at standstill, in standard deviations of its noise. Ten thousand samples of
@@ -732,15 +720,15 @@ pub(crate) mod rests {
 
     /// Fraction of a piece's samples at each extreme that may be spikes. The range of the piece leaves them out.
     ///
-    /// Test: none.
+    /// Test: `a_few_spikes_are_no_motion`.
     pub(crate) const SPIKES: f64 = 0.02;
 
     /// Largest difference between the extreme displacements of two equal motions, relative to the stroke.
     ///
     /// The amplitudes of a test list differ by more. At one setting, the amplitudes of a drive differ by less.
     ///
-    /// Test: none.
-    pub(crate) const SAME_ENDS: f64 = 0.1;
+    /// Test: `equal_motions_have_the_same_ends_within_a_tenth`.
+    pub(crate) const SAME_ENDS: f64 = 0.05;
 
     /// Largest relative difference between the mean speeds of two equal motions.
     ///
@@ -752,7 +740,7 @@ pub(crate) mod rests {
     /// Number of standstill samples on each side that stay with a motion. The search for cycles requires them if a
     /// cycle begins at standstill.
     ///
-    /// Test: none.
+    /// Test: `a_motion_keeps_two_still_samples_on_either_side`.
     pub(crate) const MARGIN: usize = 2;
 
     /// Ratio of a pause to the apparent standstill of a slow motion at its turning points above which the pause is a
@@ -799,7 +787,7 @@ pub(crate) mod cycles {
     /// Fraction of the stroke below which a reversal within a stroke is ignored in tests of one or two cycles. A larger
     /// reversal means that the motion is not periodic.
     ///
-    /// Test: none.
+    /// Test: `a_lone_cycle_has_no_reversal_within_a_stroke`.
     pub(crate) const WIGGLE: f64 = 0.01;
 }
 
@@ -840,19 +828,19 @@ pub(crate) mod gaps {
 
     /// Number of time steps before and after a candidate gap. The candidate is compared with the median of each side.
     ///
-    /// Test: none.
+    /// Test: `a_slower_rate_is_no_gap_from_sixteen_steps_on`.
     pub(crate) const AROUND: usize = 15;
 
     /// Largest ratio of the range of a piece without a whole cycle to the largest stroke of cycles at which the piece
     /// is left out.
     ///
-    /// Test: none.
+    /// Test: `a_larger_motion_without_a_cycle_is_no_stump`.
     pub(crate) const BEYOND: f64 = 1.1;
 
     /// Largest number of turning points of a piece without a whole cycle at which the piece is left out. A motion of
     /// another kind has more turning points.
     ///
-    /// Test: none.
+    /// Test: `a_motion_of_many_turns_without_a_cycle_is_no_stump`.
     pub(crate) const TURNS: usize = 5;
 }
 
@@ -874,7 +862,7 @@ pub(crate) mod still {
     /// Largest number of distinct values of a channel that always counts as at rest. A sensor at rest changes its last
     /// digit.
     ///
-    /// Test: none.
+    /// Test: `three_distinct_values_are_rest_and_four_are_motion`.
     pub(crate) const FLICKER: usize = 3;
 }
 
@@ -889,7 +877,7 @@ pub(crate) mod stairs {
     /// Largest root mean square deviation of a stroke of constant speed from a straight line over time, relative to the
     /// length of the stroke. Half a cycle of a sine deviates by 0.043.
     ///
-    /// Test: none.
+    /// Test: `a_stroke_may_deviate_little_from_a_straight_line`.
     pub(crate) const LINE_DEVIATION: f64 = 0.015;
 
     /// Smallest fraction of strokes of constant speed in a friction program. Other records are not split by speed.
@@ -915,7 +903,7 @@ pub(crate) mod stairs {
     ///
     /// A differentiating window would include both turning points of such a short stroke.
     ///
-    /// Test: none.
+    /// Test: `short_strokes_get_their_mean_speed_as_velocity`.
     pub(crate) const COARSE: usize = 40;
 }
 
@@ -924,7 +912,7 @@ pub(crate) mod swapped_columns {
     /// Largest displacement range of a damper rig, m. A larger range is one of the criteria for exchanged columns of
     /// force and displacement.
     ///
-    /// Test: none.
+    /// Test: `a_rough_displacement_of_more_than_a_meter_is_a_force`.
     pub(crate) const LONGEST: f64 = 1.0;
 
     /// Fraction of increasing steps above which another column is likely the time, if the time column does not
@@ -936,7 +924,7 @@ pub(crate) mod swapped_columns {
     /// Ratio of the roughness of the displacement to that of the force above which the two channels may be exchanged. A
     /// motion is smoother than a force.
     ///
-    /// Test: none.
+    /// Test: `a_rough_displacement_of_more_than_a_meter_is_a_force`.
     pub(crate) const ROUGHER: f64 = 2.5;
 
     /// Ratio of the harmonics to the fundamental of a displacement above which the displacement is not the sine of a
@@ -971,19 +959,19 @@ pub(crate) mod cleaning {
     /// Length of the differentiating window relative to the period of the cycles. The relative error of the velocity is
     /// 2e-5 for the fundamental and 1 % for its fifth harmonic.
     ///
-    /// Test: none.
+    /// Test: `a_derived_velocity_has_a_window_of_a_twelfth_of_a_cycle_or_of_17_ms`.
     pub(crate) const WINDOW_OF_CYCLE: f64 = 1.0 / 12.0;
 
     /// Length of the differentiating window if there are no cycles, s. The relative error of the velocity is 1 % at 25
     /// Hz, the upper end of road motion at a damper.
     ///
-    /// Test: none.
+    /// Test: `a_derived_velocity_has_a_window_of_a_twelfth_of_a_cycle_or_of_17_ms`.
     pub(crate) const WINDOW_NO_CYCLE: f64 = 0.017;
 
     /// Fraction of samples with a shorter differentiating window below which no note is added. In a smooth motion, some
     /// thousandths of the samples have a shorter window by chance.
     ///
-    /// Test: none.
+    /// Test: `windows_that_corners_shorten_are_noted_from_a_hundredth_of_the_samples_on`.
     pub(crate) const BY_CHANCE: f64 = 0.01;
 }
 
@@ -1013,7 +1001,7 @@ pub(crate) mod settings {
     /// Smallest distance between two turning points that counts in the search for cycles, relative to the range of the
     /// displacement. If a record contains large and small tests, the small ones are found down to this limit.
     ///
-    /// Test: none.
+    /// Test: `a_small_test_is_found_down_to_a_hundredth_of_the_range`.
     pub(crate) const SMALLEST: f64 = 0.01;
 
     /// Largest deviation of stroke and period within one setting of the drive from their median, as a natural
@@ -1032,7 +1020,7 @@ pub(crate) mod settings {
 
     /// Number of preceding cycles with whose median the next cycle is compared.
     ///
-    /// Test: none.
+    /// Test: `a_cycle_is_compared_with_the_three_before_it`.
     pub(crate) const BEFORE: usize = 3;
 
     /// Smallest fraction of all cycles in settings of the drive at which a record is split. A motion that changes all
@@ -1044,7 +1032,7 @@ pub(crate) mod settings {
     /// Smallest ratio of a jump of stroke or period to the scatter between cycles at which the jump separates two
     /// tests.
     ///
-    /// Test: none.
+    /// Test: `a_jump_exceeds_the_scatter_of_the_cycles_by_a_factor_of_five`.
     pub(crate) const JUMPS: f64 = 5.0;
 }
 
@@ -1055,7 +1043,7 @@ pub(crate) mod lvm {
     ///
     /// The acquisition system reads the clock once per packet, so small gaps and overlaps are not real.
     ///
-    /// Test: none.
+    /// Test: `packets_join_over_a_gap_of_a_fiftieth_of_their_length`.
     pub(crate) const TOGETHER: f64 = 0.02;
 }
 

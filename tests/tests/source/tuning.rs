@@ -8,7 +8,7 @@ use std::path::Path;
 
 /// Crates with a file `tuning.rs`, and the number of constants in this file that no test covers. The number may only
 /// fall.
-const UNNOTICED: &[(&str, usize)] = &[("records", 30)];
+const UNNOTICED: &[(&str, usize)] = &[("records", 0)];
 
 /// A constant with its documentation.
 struct Entry {

@@ -12,7 +12,7 @@ use std::cmp::Ordering;
 /// Sets [`Record::clock_s`] of every record, so that all records lie on one clock. Adds a note that states the common
 /// clock or why there is none. Changes nothing if fewer than two records exist, if no record states its start, or if
 /// the records already share a clock.
-pub(crate) fn settle(records: &mut [Record], notes: &mut Vec<Note>) {
+pub(crate) fn assign(records: &mut [Record], notes: &mut Vec<Note>) {
     let bearing = records.iter().filter(|record| record.begins.is_some()).count();
     if bearing == 0 || records.len() < 2 || apart(records.iter().filter_map(Record::span).collect()) {
         return;
@@ -68,7 +68,7 @@ mod tests {
         let record = |begins: &Option<f64>| Record { begins: *begins, time: vec![0.5, 10.5], ..Record::default() };
         let mut records: Vec<Record> = begins.iter().map(record).collect();
         let mut notes = Vec::new();
-        settle(&mut records, &mut notes);
+        assign(&mut records, &mut notes);
         (records, notes.iter().map(|note| note.text.to_string()).collect())
     }
 

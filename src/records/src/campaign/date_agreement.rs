@@ -23,7 +23,7 @@ use std::collections::BTreeSet;
 
 /// Determines the order of day and month in the dates of all tests and corrects their start times. Adds a note if an
 /// order is assumed.
-pub(crate) fn settle(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
+pub(crate) fn decide_order(tests: &mut [(&Options, Samples)], notes: &mut Vec<Note>) {
     let orders: BTreeSet<DateOrder> = tests.iter().filter_map(|(_, test)| test.dates.decided).collect();
     let of_all = orders.first().copied().filter(|_| orders.len() == 1);
     let mut assumed = Vec::new();
@@ -85,7 +85,7 @@ mod tests {
             })
             .collect();
         let mut notes = Vec::new();
-        settle(&mut tests, &mut notes);
+        decide_order(&mut tests, &mut notes);
         let day = |test: &Samples| clock::written(test.begins.unwrap()).split(' ').next().unwrap().to_owned();
         (tests.iter().map(|(_, test)| day(test)).collect(), notes.iter().map(|n| n.text.to_string()).collect())
     }

@@ -9,7 +9,7 @@ use serde::{Deserialize, Serialize};
 use super::file_search::{Below, Excluded, File, Found, file_name, find};
 use super::profile;
 use super::record_file::read_file;
-use super::unusable::{self, Sieve, Unusable};
+use super::unusable::{self, FaultFilter, Unusable};
 use super::{common_clock, date_agreement};
 use crate::checks::sign::{self, SignFinding};
 use crate::checks::{deviating_tests, force_levels, force_offset, plausibility, truncated_test, unit_magnitude};
@@ -116,30 +116,30 @@ pub fn load(
     if let (true, Some(below)) = (strays_alone, below.first()) {
         return Err(below.to_error());
     }
-    let mut sieve = Sieve::new(options.strict);
-    let mut tests = select_tests(&files, read, &mut excluded, &mut sieve)?;
+    let mut filter = FaultFilter::new(options.strict);
+    let mut tests = select_tests(&files, read, &mut excluded, &mut filter)?;
     if let Some(pattern) = given.exclude.iter().find(|p| !excluded.patterns.contains(*p)) {
         let first = files.first().map_or_else(String::new, |f| file_name(&f.path));
         return Err(SelectionError::ExcludesNothing { pattern: pattern.clone(), first }.into());
     }
-    if tests.is_empty() && sieve.is_empty() {
+    if tests.is_empty() && filter.is_empty() {
         return Err(SelectionError::ExcludesAll { count: excluded.count }.into());
     }
-    date_agreement::settle(&mut tests, &mut notes);
+    date_agreement::decide_order(&mut tests, &mut notes);
     notes.extend(below.iter().map(Below::note));
-    let pieces = sort_out(tests, &mut sieve)?;
+    let pieces = sort_out(tests, &mut filter)?;
     counter.expect(files.len() + pieces.len());
     let units = FileUnits::collect(&pieces);
-    let mut motions = mend(pieces, &counter, &mut sieve)?;
+    let mut motions = mend(pieces, &counter, &mut filter)?;
     tell_splits(&motions, &mut notes);
     let mut of_the_sign = Vec::new();
-    let (sign, delay) = sign::settle(&mut motions, options, &mut of_the_sign)?;
-    let mut records = finish(motions, options, (&sign, delay), &mut sieve)?;
-    let unusable = sieve.report(&mut notes);
+    let (sign, delay) = sign::determine(&mut motions, options, &mut of_the_sign)?;
+    let mut records = finish(motions, options, (&sign, delay), &mut filter)?;
+    let unusable = filter.report(&mut notes);
     notes.append(&mut of_the_sign);
     unique_names(&mut records);
     assign_settings(&mut records, options, &mut notes)?;
-    common_clock::settle(&mut records, &mut notes);
+    common_clock::assign(&mut records, &mut notes);
     check(&mut records, options, &units, sign.positive, &mut notes)?;
     let profiles = folders.iter().map(|(folder, _)| folder.join(profile::FILE));
     let files = profiles.chain(files.iter().map(|file| file.path.clone())).collect();
@@ -164,11 +164,11 @@ fn select_tests<'a>(
     files: &'a [File],
     read: Vec<Result<Vec<Samples>, RecordError>>,
     excluded: &mut Excluded,
-    sieve: &mut Sieve,
+    filter: &mut FaultFilter,
 ) -> Result<Vec<WithOptions<'a, Samples>>, RecordError> {
     let mut tests = Vec::new();
     for (file, read) in files.iter().zip(read) {
-        let mut read = sieve.pass(read)?.unwrap_or_default();
+        let mut read = filter.pass(read)?.unwrap_or_default();
         read.iter_mut().for_each(|test| test.name.insert_str(0, &file.within));
         let kept = read.into_iter().filter(|test| !excluded.takes(&file.options, &test.name));
         tests.extend(kept.map(|test| (&*file.options, test)));
@@ -179,13 +179,13 @@ fn select_tests<'a>(
 /// Orders the rows of the tests and splits tests that are interrupted.
 fn sort_out<'a>(
     tests: Vec<WithOptions<'a, Samples>>,
-    sieve: &mut Sieve,
+    filter: &mut FaultFilter,
 ) -> Result<Vec<WithOptions<'a, Samples>>, RecordError> {
     let sorted: Vec<WithOptions<Result<Vec<Samples>, RecordError>>> =
         tests.into_par_iter().map(|(options, test)| (options, cleaning::sort_out(test, options))).collect();
     let mut pieces = Vec::new();
     for (options, sorted) in sorted {
-        pieces.extend(sieve.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
+        pieces.extend(filter.pass(sorted)?.unwrap_or_default().into_iter().map(|piece| (options, piece)));
     }
     Ok(pieces)
 }
@@ -194,7 +194,7 @@ fn sort_out<'a>(
 fn mend(
     pieces: Vec<WithOptions<Samples>>,
     counter: &Counter,
-    sieve: &mut Sieve,
+    filter: &mut FaultFilter,
 ) -> Result<Vec<CompleteTest>, RecordError> {
     let reach = pieces.iter().fold(cleaning::Reach::default(), |reach, (_, piece)| reach.with(piece));
     let mended: Vec<Result<CompleteTest, RecordError>> = pieces
@@ -206,8 +206,8 @@ fn mend(
         })
         .collect();
     let motions: Vec<CompleteTest> =
-        mended.into_iter().map(|m| sieve.pass(m)).filter_map(Result::transpose).collect::<Result<_, _>>()?;
-    sieve.reject_most(motions.len())?;
+        mended.into_iter().map(|m| filter.pass(m)).filter_map(Result::transpose).collect::<Result<_, _>>()?;
+    filter.reject_most(motions.len())?;
     Ok(motions)
 }
 
@@ -216,7 +216,7 @@ fn finish(
     motions: Vec<CompleteTest>,
     options: &Options,
     rig: (&SignFinding, Option<Delay>),
-    sieve: &mut Sieve,
+    filter: &mut FaultFilter,
 ) -> Result<Vec<Record>, RecordError> {
     let (counted, delay_s) = (rig.0.counted(), rig.1.map_or(0.0, |delay| delay.seconds));
     let finished: Vec<Result<Record, RecordError>> = motions
@@ -225,13 +225,13 @@ fn finish(
             let mut record = cleaning::finish(motion)?;
             record.counted = Some(counted);
             record.apparent_delay_s = delay_s;
-            plausibility::refuse_absurd(&record, options)?;
+            plausibility::reject_absurd(&record, options)?;
             Ok(record)
         })
         .collect();
     let records: Vec<Record> =
-        finished.into_iter().map(|r| sieve.pass(r)).filter_map(Result::transpose).collect::<Result<_, _>>()?;
-    sieve.reject_most(records.len())?;
+        finished.into_iter().map(|r| filter.pass(r)).filter_map(Result::transpose).collect::<Result<_, _>>()?;
+    filter.reject_most(records.len())?;
     Ok(records)
 }
 
@@ -274,15 +274,15 @@ fn check(
     positive: Positive,
     notes: &mut Vec<Note>,
 ) -> Result<(), RecordError> {
-    unit_magnitude::refuse(records, options)?;
+    unit_magnitude::reject(records, options)?;
     deviating_tests::check(records, &units.readings, notes)?;
     let frame = rig_frame(records, positive, options, units.has_inches);
     records.iter_mut().for_each(|record| record.frame = frame);
     plausibility::remark(records, options, notes)?;
     let in_the_middle = force_levels::in_the_middle(records);
-    force_offset::tell(records, &in_the_middle, notes);
-    unstated_settings::tell(records, &in_the_middle, notes);
-    truncated_test::tell(records, notes);
+    force_offset::report(records, &in_the_middle, notes);
+    unstated_settings::report(records, &in_the_middle, notes);
+    truncated_test::report(records, notes);
     Ok(())
 }
 

@@ -108,15 +108,15 @@ fn reach_of_samples(error: &SampleError) -> Reach {
 }
 
 /// Collection of the faults of the files and tests that a campaign leaves out.
-pub(crate) struct Sieve {
+pub(crate) struct FaultFilter {
     strict: bool,
     faults: Vec<RecordError>,
 }
 
-impl Sieve {
-    /// Makes an empty collection. With `strict`, [`Sieve::pass`] returns every fault as an error.
-    pub fn new(strict: bool) -> Sieve {
-        Sieve { strict, faults: Vec::new() }
+impl FaultFilter {
+    /// Makes an empty collection. With `strict`, [`FaultFilter::pass`] returns every fault as an error.
+    pub fn new(strict: bool) -> FaultFilter {
+        FaultFilter { strict, faults: Vec::new() }
     }
 
     /// Returns the value that was read from a file or test without a fault. Stores the fault and returns `None` if the
@@ -213,17 +213,17 @@ mod tests {
         RecordError::File(RecordFileError::EmptyFile { file: "e.csv".into() })
     }
 
-    fn sieve(faults: Vec<RecordError>) -> Sieve {
-        let mut sieve = Sieve::new(false);
+    fn filter(faults: Vec<RecordError>) -> FaultFilter {
+        let mut filter = FaultFilter::new(false);
         for fault in faults {
-            assert!(sieve.pass::<()>(Err(fault)).unwrap().is_none());
+            assert!(filter.pass::<()>(Err(fault)).unwrap().is_none());
         }
-        sieve
+        filter
     }
 
     #[test]
     fn one_faulty_test_is_left_out_and_most_are_refused() {
-        let mut some = sieve(vec![stray(), short(), doubtful()]);
+        let mut some = filter(vec![stray(), short(), doubtful()]);
         some.reject_most(2).unwrap();
         let mut notes = Vec::new();
         let unusable = some.report(&mut notes);
@@ -236,12 +236,12 @@ mod tests {
         assert!(notes.iter().zip(&unusable).all(|(n, u)| n.text == u.why && n.kind == "left_out"));
         // Two tests have a constant time, and two have a valid time. Either pair may be at fault, so the campaign is
         // rejected.
-        let refused = sieve(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
+        let refused = filter(vec![short(), doubtful(), doubtful()]).reject_most(2).unwrap_err();
         assert!(refused.to_string().contains("a.csv"), "{refused}");
         // Short tests never count as a systematic fault.
-        sieve(vec![short(), short(), short()]).reject_most(1).unwrap();
+        filter(vec![short(), short(), short()]).reject_most(1).unwrap();
         // If no test remains, the fault of a test is more informative than a stray file.
-        let refused = sieve(vec![stray(), short()]).reject_most(0).unwrap_err();
+        let refused = filter(vec![stray(), short()]).reject_most(0).unwrap_err();
         assert!(refused.to_string().contains("s.csv"), "{refused}");
     }
 
@@ -258,25 +258,25 @@ mod tests {
                 units: Vec::new(),
             })
         };
-        let mut one = sieve(vec![other_table()]);
+        let mut one = filter(vec![other_table()]);
         one.reject_most(2).unwrap();
         assert!(one.report(&mut Vec::new())[0].why.to_string().contains("peaks.csv, line 1: no column for time"));
-        assert!(sieve(vec![other_table(), other_table()]).reject_most(2).is_err());
+        assert!(filter(vec![other_table(), other_table()]).reject_most(2).is_err());
     }
 
     #[test]
     fn questions_to_the_user_and_strict_runs_stay_errors() {
         for question in [RecordError::Selection(SelectionError::NoPaths), absurd()] {
-            assert!(Sieve::new(false).pass::<()>(Err(question)).is_err());
+            assert!(FaultFilter::new(false).pass::<()>(Err(question)).is_err());
         }
-        assert!(Sieve::new(true).pass::<()>(Err(short())).is_err());
-        assert_eq!(Sieve::new(true).pass(Ok(1)).unwrap(), Some(1));
+        assert!(FaultFilter::new(true).pass::<()>(Err(short())).is_err());
+        assert_eq!(FaultFilter::new(true).pass(Ok(1)).unwrap(), Some(1));
     }
 
     #[test]
     fn hundreds_are_told_in_a_few_lines_and_kept_in_full() {
         let mut notes = Vec::new();
-        let unusable = sieve((0..300).map(|_| short()).collect()).report(&mut notes);
+        let unusable = filter((0..300).map(|_| short()).collect()).report(&mut notes);
         assert_eq!((unusable.len(), notes.len()), (300, 21));
         assert!(notes[20].text.to_string().contains("280 more"), "{}", notes[20].text);
     }

@@ -18,7 +18,7 @@ use crate::tuning::plausibility::{
 use dashpot_messages::{Sentence, format_decimals};
 
 /// Rejects a record with an amplitude, velocity or force that no damper reaches.
-pub(crate) fn refuse_absurd(record: &Record, options: &Options) -> Result<(), RecordError> {
+pub(crate) fn reject_absurd(record: &Record, options: &Options) -> Result<(), RecordError> {
     let largest = |values: &[f64]| values.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
     let force = largest(&record.force);
     let absurd = |what: Sentence, channels: &[Channel], advice| {
@@ -155,12 +155,12 @@ mod tests {
 
     #[test]
     fn a_thousandfold_slip_is_refused_with_the_unit_to_give() {
-        assert!(refuse_absurd(&record([1.0, 2000.0]), &Options::default()).is_ok());
-        let said = |scale| refuse_absurd(&record(scale), &Options::default()).unwrap_err().to_string();
+        assert!(reject_absurd(&record([1.0, 2000.0]), &Options::default()).is_ok());
+        let said = |scale| reject_absurd(&record(scale), &Options::default()).unwrap_err().to_string();
         assert!(said([1e3, 2000.0]).contains("a.csv") && said([1e3, 1.0]).contains("--unit displacement=mm"));
         assert!(said([1.0, 2e6]).contains("--unit force=N"));
         let fast = Record { amplitude: 0.05, ..record([100.0, 1.0]) };
-        assert!(refuse_absurd(&fast, &Options::default()).unwrap_err().to_string().contains("--unit velocity=mm/s"));
+        assert!(reject_absurd(&fast, &Options::default()).unwrap_err().to_string().contains("--unit velocity=mm/s"));
     }
 
     #[test]
@@ -197,7 +197,7 @@ mod tests {
         options.units.insert(Channel::Force, crate::Unit::Newton);
         let insisted = describe(&options, &mut notes);
         assert!(insisted.contains("the unit was said") && !insisted.contains("--unit force="), "{insisted}");
-        let strong = refuse_absurd(&record([1.0, 1e9]), &options).unwrap_err().to_string();
+        let strong = reject_absurd(&record([1.0, 1e9]), &options).unwrap_err().to_string();
         assert!(strong.contains("the unit was said"), "{strong}");
     }
 
@@ -206,7 +206,7 @@ mod tests {
         let plain = Options::default();
         let absurd = |amplitude: f64, speed: f64, force: f64| {
             let record = Record { amplitude, peak_velocity: speed, ..record([1.0, force]) };
-            refuse_absurd(&record, &plain).is_err()
+            reject_absurd(&record, &plain).is_err()
         };
         assert!(!absurd(0.4, 15.0, 1.5e5));
         assert!(absurd(0.7, 15.0, 1.5e5) && absurd(0.4, 28.0, 1.5e5) && absurd(0.4, 15.0, 2.8e5));

@@ -76,7 +76,7 @@ struct Evidence {
 ///
 /// Also detects a delay of the force channel. The delay is removed for the estimate of the direction, but the motions
 /// retain it.
-pub(crate) fn settle(
+pub(crate) fn determine(
     motions: &mut [CompleteTest],
     options: &Options,
     notes: &mut Vec<Note>,
@@ -581,7 +581,7 @@ mod tests {
         options: &Options,
     ) -> Result<(SignFinding, Vec<CompleteTest>, Vec<Note>), RecordError> {
         let mut notes = Vec::new();
-        settle(&mut motions, options, &mut notes).map(|(finding, _)| (finding, motions, notes))
+        determine(&mut motions, options, &mut notes).map(|(finding, _)| (finding, motions, notes))
     }
 
     #[test]
@@ -656,7 +656,7 @@ mod tests {
                 samples.force.iter_mut().for_each(|f| *f *= 1e-4);
                 std::mem::swap(x, &mut samples.force);
             }
-            // The stated unit confirms the headings, so `swapped_columns::refuse` does not reject the test first.
+            // The stated unit confirms the headings, so `swapped_columns::reject` does not reject the test first.
             let options = Options { units: [(Channel::Force, Unit::Newton)].into(), ..Options::default() };
             motions.push(cleaning::repair(samples, &options).unwrap());
         }
@@ -697,7 +697,7 @@ mod tests {
                 .collect();
             assert_eq!(motions.iter().map(|m| gather(m, 15.0)).any(|e| e.power < -UNCLEAR), feeds);
             let (before, mut notes) = (motions.clone(), Vec::new());
-            let (sign, found) = settle(&mut motions, &Options::default(), &mut notes).unwrap();
+            let (sign, found) = determine(&mut motions, &Options::default(), &mut notes).unwrap();
             assert!((found.unwrap().seconds - late).abs() < 1e-3, "{found:?}");
             assert!(sign.positive == Positive::Rebound && sign.confidence > 0.9, "{sign:?}");
             assert_eq!(before[2].force, motions[2].force);
@@ -784,5 +784,17 @@ mod tests {
         // The gas force contradicts the asymmetry.
         let (torn, ..) = settled(campaign(1.0, 1.0, 60.0), &Options::default()).unwrap();
         assert!(torn.reasons.iter().any(|r| r.to_string().contains("contradict")), "{torn:?}");
+    }
+
+    #[test]
+    fn the_force_at_a_speed_is_the_median_of_ten_samples() {
+        let force = |samples: usize| {
+            let mut motion = cleaning::repair(SineTest::default().samples(), &Options::default()).unwrap();
+            let from = motion.steady().start;
+            motion.velocity.fill(0.0);
+            motion.velocity[from..from + samples].fill(0.3);
+            level(&motion, true, 1.0, SLOW)
+        };
+        assert!(force(12).is_some() && force(8).is_none());
     }
 }

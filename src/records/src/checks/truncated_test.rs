@@ -8,7 +8,7 @@ use crate::tuning::truncated_test::{LAST, MOVING, OF_A_CYCLE, STROKE};
 use dashpot_messages::{Sentence, format_decimals};
 
 /// Adds notes about tests that contain less than a cycle and end while the damper moves.
-pub(crate) fn tell(records: &[Record], notes: &mut Vec<Note>) {
+pub(crate) fn report(records: &[Record], notes: &mut Vec<Note>) {
     for record in records.iter().filter(|r| r.cycles.is_empty()) {
         let strokes = turning_points(&record.displacement, STROKE * range(&record.displacement)).len();
         let from = record.velocity.len().saturating_sub(LAST);
@@ -35,7 +35,7 @@ mod tests {
             let peak_velocity = velocity.iter().fold(0.0_f64, |m, v| m.max(v.abs()));
             let record = Record { displacement, velocity, peak_velocity, ..Record::default() };
             let mut notes = Vec::new();
-            tell(&[record], &mut notes);
+            report(&[record], &mut notes);
             notes.len()
         };
         // A sine that stops after a little more than half a cycle gives a note. A sine that ends at its turning point

@@ -15,7 +15,7 @@ use dashpot_messages::{Sentence, format_decimals};
 
 /// Rejects a campaign if its values indicate a unit that is wrong by a factor of a thousand. A unit given by the user
 /// counts as correct.
-pub(crate) fn refuse(records: &[Record], options: &Options) -> Result<(), RecordError> {
+pub(crate) fn reject(records: &[Record], options: &Options) -> Result<(), RecordError> {
     let Some(fastest) = records.iter().max_by(|a, b| a.peak_velocity.total_cmp(&b.peak_velocity)) else {
         return Ok(());
     };
@@ -155,7 +155,7 @@ mod tests {
     const USUAL: [(f64, f64); 3] = [(0.05, 0.05), (0.05, 0.26), (0.05, 1.0)];
 
     fn said(records: &[Record]) -> String {
-        refuse(records, &Options::default()).map_or_else(|e| e.to_string(), |()| String::new())
+        reject(records, &Options::default()).map_or_else(|e| e.to_string(), |()| String::new())
     }
 
     #[test]
@@ -196,7 +196,7 @@ mod tests {
         }
         let mut options = Options::default();
         options.units.insert(Channel::Force, Unit::Newton);
-        assert!(refuse(&campaign(2000.0, 50.0, &USUAL, [1.0, 1.0, 1e-3]), &options).is_ok());
+        assert!(reject(&campaign(2000.0, 50.0, &USUAL, [1.0, 1.0, 1e-3]), &options).is_ok());
     }
 
     #[test]
@@ -205,7 +205,7 @@ mod tests {
             let mut records = campaign(2000.0, 50.0, &USUAL, [1.0; 3]);
             let setting = Setting { name: "current".into(), unit: "A".into(), value };
             records.iter_mut().for_each(|record| record.setting = Some(setting.clone()));
-            refuse(&records, options).map_or_else(|e| e.to_string(), |()| String::new())
+            reject(&records, options).map_or_else(|e| e.to_string(), |()| String::new())
         };
         let mut insists = Options::default();
         insists.units.insert(Channel::Current, Unit::Ampere);
@@ -222,14 +222,14 @@ mod tests {
         };
         set(&mut records, [0.3, 700.0, 0.7]);
         (records[1].name, records[1].source) = ("odd".into(), "odd.csv".into());
-        let message = refuse(&records, &none).unwrap_err().to_string();
+        let message = reject(&records, &none).unwrap_err().to_string();
         assert!(
             message.contains("odd.csv") && message.contains("--exclude 'odd'") && message.contains("0.70 A"),
             "{message}"
         );
         // If most files deviate, the unit is at fault, and the small current is the noise of a valve without current.
         set(&mut records, [0.1, 400.0, 800.0]);
-        let message = refuse(&records, &none).unwrap_err().to_string();
+        let message = reject(&records, &none).unwrap_err().to_string();
         assert!(message.contains("800 A") && message.contains("--unit current=mA"), "{message}");
     }
 
@@ -258,7 +258,7 @@ mod tests {
                 peak_velocity: self.speed,
                 ..Record::default()
             };
-            refuse(&[record], &Options::default()).is_err()
+            reject(&[record], &Options::default()).is_err()
         }
     }
 
@@ -292,7 +292,7 @@ mod tests {
     fn a_frequency_that_no_rig_reaches_is_another_unit_of_time() {
         let rejected = |frequency: f64| {
             let record = Record { time: vec![0.0, 1.0], frequency, amplitude: 2e-4, ..Record::default() };
-            refuse(&[record], &Options::default()).is_err()
+            reject(&[record], &Options::default()).is_err()
         };
         assert!(!rejected(110.0) && rejected(210.0));
     }

@@ -464,4 +464,21 @@ mod tests {
         x[500] = 40.0;
         assert!((robust_peak(&x, &[]) - 1.0).abs() < 1e-3);
     }
+
+    #[test]
+    fn a_lone_cycle_has_no_reversal_within_a_stroke() {
+        // One cycle of a sine whose first stroke goes back by `depth`, relative to the stroke, for eight samples.
+        let stands = |depth: f64| {
+            let reversal = (0..8).map(|k| -2.0 * depth * if k < 4 { f64::from(k + 1) } else { f64::from(7 - k) } / 4.0);
+            let sine = |i: i32| libm::sin(TAU * (f64::from(i) + 0.5) / 800.0);
+            let middle = sine(50);
+            let x: Vec<f64> =
+                (0..=50).map(sine).chain(reversal.map(|back| middle + back)).chain((51..800).map(sine)).collect();
+            let n = x.len();
+            let time: Vec<f64> = (0..n).map(|i| i as f64 / n as f64).collect();
+            let cycle = Cycle { start: 0, end: n, start_time: 0.0, end_time: 1.0, low: -1.0, high: 1.0 };
+            stand_alone(&time, &x, &[cycle], 0.0)
+        };
+        assert!(stands(0.0) && stands(0.007) && !stands(0.015));
+    }
 }

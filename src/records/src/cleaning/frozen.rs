@@ -14,7 +14,7 @@ use crate::tuning::frozen::RUN;
 /// A channel counts as frozen if it is constant while another channel moves. A force that is constant over part of a
 /// stroke can be real (pure friction, a coarse load cell). Therefore, a channel with coarse resolution counts as frozen
 /// only if the other channel makes two strokes in this time.
-pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
+pub(crate) fn reject(samples: &Samples) -> Result<(), RecordError> {
     check(samples, Channel::Force, &motion(samples))?;
     if let Some(velocity) = &samples.velocity {
         // The integral of the velocity shows whether the damper moves while the displacement is constant.
@@ -126,20 +126,20 @@ mod tests {
     #[test]
     fn frozen_channels_are_named_with_their_lines() {
         let sound = SineTest::default().samples();
-        assert!(refuse(&sound).is_ok());
+        assert!(reject(&sound).is_ok());
         for channel in [Channel::Force, Channel::Displacement] {
             let mut samples = sound.clone();
             freeze(samples.channel_mut(channel).unwrap(), 600..760);
-            let error = refuse(&samples).unwrap_err().to_string();
+            let error = reject(&samples).unwrap_err().to_string();
             assert!(error.contains(&format!("lines 602 to 761: {channel} is frozen")), "{error}");
         }
         let mut samples = sound.clone();
         samples.velocity.as_mut().unwrap().fill(0.0);
-        assert!(refuse(&samples).unwrap_err().to_string().contains("--ignore velocity"));
+        assert!(reject(&samples).unwrap_err().to_string().contains("--ignore velocity"));
         let mut samples = sound;
         samples.velocity = None;
         freeze(samples.displacement.as_mut().unwrap(), 500..900);
-        assert!(refuse(&samples).unwrap_err().to_string().contains("displacement is frozen"));
+        assert!(reject(&samples).unwrap_err().to_string().contains("displacement is frozen"));
     }
 
     #[test]
@@ -149,13 +149,13 @@ mod tests {
         let mut samples = SineTest { rest: 3.0, frequency: 0.01, ..SineTest::default() }.samples();
         let velocity = samples.velocity.clone().unwrap();
         samples.force = velocity.iter().map(|v| (60.0 * libm::tanh(v / 1e-5)).round() - 120.0).collect();
-        refuse(&samples).unwrap();
+        reject(&samples).unwrap();
         // A standstill is not a frozen channel, even in a record without a velocity channel.
         let mut samples = SineTest { rest: 3.0, frequency: 0.01, ..SineTest::default() }.samples();
         samples.velocity = None;
         for x in samples.displacement.as_mut().unwrap() {
             *x = (*x * 2e5).round() / 2e5;
         }
-        refuse(&samples).unwrap();
+        reject(&samples).unwrap();
     }
 }

@@ -185,4 +185,54 @@ mod tests {
         halves.time[middle..].iter_mut().for_each(|t| *t += 40.0 * step);
         assert_eq!(split(halves).len(), 2);
     }
+
+    #[test]
+    fn a_slower_rate_is_no_gap_from_sixteen_steps_on() {
+        // A logger at 200 Hz that records some samples at 5 Hz. The middle one of 15 slow steps has more fast than slow
+        // steps on either side.
+        let time = |slow: usize| {
+            let mut t = 0.0;
+            let steps = (0..200 + slow).map(|k| if (100..100 + slow).contains(&k) { 0.2 } else { 0.005 });
+            let later = steps.map(|step| {
+                t += step;
+                t
+            });
+            std::iter::once(0.0).chain(later).collect::<Vec<f64>>()
+        };
+        assert_eq!(find(&time(15)), [108]);
+        assert!(find(&time(16)).is_empty());
+    }
+
+    /// Returns how many pieces remain of two: whole cycles of a sine of 20 mm stroke, and the motion `other`, mm.
+    fn pieces_with(other: &[f64]) -> usize {
+        let mut x: Vec<f64> =
+            (0..1000).map(|i| 0.01 * libm::sin(std::f64::consts::TAU * f64::from(i) / 200.0)).collect();
+        let sine = x.len();
+        x.extend(other.iter().map(|x| 1e-3 * x));
+        let samples = crate::fixtures::moving(200.0, x);
+        let (time, x) = (&samples.time, samples.displacement.as_deref().unwrap());
+        assert!(cycles::find(&time[sine..], &x[sine..]).is_empty());
+        let (first, second) = (0..sine, sine..samples.len());
+        let mut kept = vec![&first, &second];
+        leave_out_stumps(&samples, &mut kept);
+        kept.len()
+    }
+
+    #[test]
+    fn a_larger_motion_without_a_cycle_is_no_stump() {
+        let ramp = |range: f64| -> Vec<f64> { (0..200).map(|i| range * f64::from(i) / 199.0).collect() };
+        assert_eq!((pieces_with(&ramp(21.0)), pieces_with(&ramp(23.0))), (1, 2));
+    }
+
+    #[test]
+    fn a_motion_of_many_turns_without_a_cycle_is_no_stump() {
+        // Strokes of very different duration are no cycles.
+        let strokes = |count: usize| -> Vec<f64> {
+            let lengths = [100, 25, 160, 40, 15, 130, 60, 20, 90].into_iter().take(count);
+            let ends = lengths.enumerate().map(|(k, n)| (n, if k % 2 == 0 { [0.0, 18.0] } else { [18.0, 0.0] }));
+            ends.flat_map(|(n, [from, to])| (0..n).map(move |i| from + (to - from) * f64::from(i) / f64::from(n)))
+                .collect()
+        };
+        assert_eq!((pieces_with(&strokes(4)), pieces_with(&strokes(8))), (1, 2));
+    }
 }

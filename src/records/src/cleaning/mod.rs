@@ -49,7 +49,7 @@ pub(crate) use drift::time_mean;
 /// off the start of a test in which a slow supply brings the setting to its value.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
-    swapped_columns::refuse(&samples, options)?;
+    swapped_columns::reject(&samples, options)?;
     missing::drop_rows(&mut samples)?;
     order::drop_stale(&mut samples);
     duplicates::remove(&mut samples);
@@ -76,9 +76,9 @@ pub(crate) fn repair(samples: Samples, options: &Options) -> Result<CompleteTest
 /// the motion over all tests of the campaign.
 pub(crate) fn mend(mut samples: Samples, options: &Options, reach: &Reach) -> Result<CompleteTest, RecordError> {
     enough(&samples)?;
-    still::refuse(&samples)?;
-    frozen::refuse(&samples)?;
-    still::refuse_constant_force(&samples)?;
+    still::reject(&samples)?;
+    frozen::reject(&samples)?;
+    still::reject_constant_force(&samples)?;
     let without_force = clipped::deal(&mut samples, reach)?;
     let replaced = outliers::replace(&mut samples);
     corrections::calibrate(&mut samples, options);
@@ -158,7 +158,7 @@ fn complete(samples: &mut Samples, options: &Options) -> Result<CompleteMotion, 
                     .first()
                     .zip(cycles.last())
                     .map(|(first, last)| (last.end_time - first.start_time) / cycles.len() as f64);
-                if consistency::is_late(&agreement, sample_time(&samples.time), period) {
+                if consistency::is_delayed(&agreement, sample_time(&samples.time), period) {
                     samples.note(
                         "late_velocity",
                         Sentence::from(phrases::VELOCITY_LATE)
@@ -549,5 +549,34 @@ mod tests {
                 prop_assert!(record.cycles.iter().all(|c| c.start < c.end && c.end <= n));
             }
         }
+    }
+
+    #[test]
+    fn a_derived_velocity_has_a_window_of_a_twelfth_of_a_cycle_or_of_17_ms() {
+        for frequency in [0.5, 1.0, 4.0] {
+            let mut samples = SineTest { frequency, ..SineTest::default() }.samples();
+            samples.velocity = None;
+            let window = repair(samples, &Options::default()).unwrap().velocity_window_s;
+            assert!((0.07..0.09).contains(&(window * frequency)), "{frequency} Hz: {window} s");
+        }
+        let mut samples = crate::fixtures::moving(1000.0, (0..2000).map(|i| 1e-4 * f64::from(i)).collect());
+        let displacement = samples.displacement.take().unwrap();
+        let window = differentiated(&mut samples, displacement).velocity_window_s;
+        assert!((0.015..0.019).contains(&window), "{window} s");
+    }
+
+    #[test]
+    fn windows_that_corners_shorten_are_noted_from_a_hundredth_of_the_samples_on() {
+        // Each corner shortens the windows of five or six of 1600 samples.
+        let is_noted = |corners: i32| {
+            let mut random = crate::fixtures::Random::new(6);
+            let corner = |i: i32| (1..=corners).map(|k| 4e-4 * f64::from((i - 300 * k).max(0))).sum::<f64>();
+            let x = (0..1600).map(|i| 1e-4 * f64::from(i) + corner(i) + 1e-5 * random.normal()).collect();
+            let mut samples = crate::fixtures::moving(1000.0, x);
+            let displacement = samples.displacement.take().unwrap();
+            differentiated(&mut samples, displacement);
+            samples.notes.iter().any(|note| note.text.to_string().contains("where the motion turns"))
+        };
+        assert!(!is_noted(2) && is_noted(4));
     }
 }

@@ -390,4 +390,50 @@ mod tests {
         }
         assert_eq!(course.rest(2.0).names(), ["long"]);
     }
+
+    /// Returns the range of the only standstill in a motion at 1000 samples per second, s, if it is found. `spikes` of
+    /// its samples in each quarter of a second deviate.
+    fn finds_rest(from: f64, to: f64, spikes: usize) -> bool {
+        let time: Vec<f64> = (0..3000).map(|i| f64::from(i) / 1000.0).collect();
+        let x: Vec<f64> = time
+            .iter()
+            .enumerate()
+            .map(|(i, t)| match (from..to).contains(t) {
+                true => {
+                    if i % 250 < spikes {
+                        5.0
+                    } else {
+                        0.0
+                    }
+                }
+                false => 10.0 + libm::sin(TAU * 8.0 * t),
+            })
+            .collect();
+        !rests(&time, &x, 0.01).is_empty()
+    }
+
+    #[test]
+    fn a_standstill_longer_by_a_quarter_is_found_at_every_place() {
+        assert!((0..10).all(|k| finds_rest(0.03 * f64::from(k), 1.251 + 0.03 * f64::from(k), 0)));
+        assert!((0..10).any(|k| !finds_rest(0.03 * f64::from(k), 1.15 + 0.03 * f64::from(k), 0)));
+    }
+
+    #[test]
+    fn a_few_spikes_are_no_motion() {
+        assert!(finds_rest(0.5, 2.5, 3) && !finds_rest(0.5, 2.5, 8));
+    }
+
+    #[test]
+    fn a_motion_keeps_two_still_samples_on_either_side() {
+        let place = |i: usize| [0.0, 0.1, 0.2][usize::from(i >= 100) + usize::from(i >= 200)];
+        let x: Vec<f64> = (0..300).map(place).collect();
+        let time: Vec<f64> = (0..300).map(f64::from).collect();
+        assert_eq!(moves(&time, &x, 0..300, 0.01).unwrap().samples, 98..202);
+    }
+
+    #[test]
+    fn equal_motions_have_the_same_ends_within_a_tenth() {
+        let to = |high: f64| Moves { samples: 0..9, low: 0.0, high, speed: 1.0, returns: true, in_strokes: false };
+        assert!(to(0.1).is_like(&to(0.108), 0.0) && !to(0.1).is_like(&to(0.115), 0.0));
+    }
 }

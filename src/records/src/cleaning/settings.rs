@@ -159,4 +159,37 @@ mod tests {
         assert_eq!(driven(12.0, |t| (10.0 * t.min(12.0 - t).min(1.0), 2.0)).len(), 1);
         assert_eq!(driven(20.0, |t| (if (10.0..10.4).contains(&t) { 6.0 } else { 10.0 }, 2.0)).len(), 1);
     }
+
+    #[test]
+    fn a_small_test_is_found_down_to_a_hundredth_of_the_range() {
+        let parts = |small: f64| driven(12.0, |t| (if t < 6.0 { 25.0 } else { small }, 3.0)).len();
+        assert_eq!((parts(0.35), parts(0.18)), (2, 1));
+    }
+
+    /// Returns cycles with these natural logarithms of the stroke.
+    fn cycles_of(strokes: impl IntoIterator<Item = f64>) -> Vec<Cycle> {
+        let cycle =
+            |stroke: f64| Cycle { start: 0, end: 1, start_time: 0.0, end_time: 1.0, low: 0.0, high: libm::exp(stroke) };
+        strokes.into_iter().map(cycle).collect()
+    }
+
+    #[test]
+    fn a_cycle_is_compared_with_the_three_before_it() {
+        // At two settings, the stroke grows by a fraction with each cycle. The median of three cycles lags by two.
+        let found = |growth: f64, count: i32| {
+            let of = |k: i32| 3.0 * f64::from(k / count) + growth * f64::from(k % count);
+            settings(&cycles_of((0..2 * count).map(of)), 0.0)
+        };
+        assert_eq!(found(0.02, 6), [0..6, 6..12]);
+        assert_eq!(found(0.03, 7), [0..6, 7..13]);
+    }
+
+    #[test]
+    fn a_jump_exceeds_the_scatter_of_the_cycles_by_a_factor_of_five() {
+        let separates = |jump: f64| {
+            let scattered = |from: f64| cycles_of([0.0, 0.03, 0.0, 0.03, 0.0].map(|scatter| from + scatter));
+            jumps(&scattered(0.0), &scattered(jump), 0.0)
+        };
+        assert!(separates(0.18) && !separates(0.12));
+    }
 }

@@ -160,4 +160,23 @@ mod tests {
         };
         assert_eq!(split(moving(500.0, sine(10.0))).len(), 1);
     }
+
+    #[test]
+    fn a_stroke_may_deviate_little_from_a_straight_line() {
+        // The root mean square deviation of the parabola b t² from its line is b/√180.
+        let is_straight = |deviation: f64| {
+            let time: Vec<f64> = (0..200).map(|i| f64::from(i) / 199.0).collect();
+            let bend = deviation * 180f64.sqrt();
+            let x: Vec<f64> = time.iter().map(|t| 0.05 * ((1.0 - bend) * t + bend * t * t)).collect();
+            stroke(&time, &x, 0..200).is_straight
+        };
+        assert!(is_straight(0.012) && !is_straight(0.018));
+    }
+
+    #[test]
+    fn short_strokes_get_their_mean_speed_as_velocity() {
+        let has_velocity = |rate: f64| split(program(rate, &[75.0, 100.0, 150.0])).iter().all(|p| p.velocity.is_some());
+        // A stroke lasts half a second.
+        assert!(has_velocity(70.0) && !has_velocity(90.0));
+    }
 }

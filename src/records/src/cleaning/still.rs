@@ -8,9 +8,9 @@ use crate::signal::noise::difference_noise;
 use crate::tuning::still::{FLICKER, RANGE, SPREAD};
 
 /// Rejects a test without motion.
-pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
+pub(crate) fn reject(samples: &Samples) -> Result<(), RecordError> {
     let motion = [Channel::Displacement, Channel::Velocity].map(|c| samples.channel(c).map(|values| (c, values)));
-    // If one motion channel is constant while the other changes, `frozen::refuse` reports the fault.
+    // If one motion channel is constant while the other changes, `frozen::reject` reports the fault.
     if motion.iter().flatten().any(|(_, values)| !rests(values)) {
         return Ok(());
     }
@@ -20,7 +20,7 @@ pub(crate) fn refuse(samples: &Samples) -> Result<(), RecordError> {
 }
 
 /// Rejects a moving test whose force never changes, not even in the last digit.
-pub(crate) fn refuse_constant_force(samples: &Samples) -> Result<(), RecordError> {
+pub(crate) fn reject_constant_force(samples: &Samples) -> Result<(), RecordError> {
     if range(&samples.force) > 0.0 {
         return Ok(());
     }
@@ -63,7 +63,7 @@ mod tests {
     #[test]
     fn rest_is_told_from_the_smallest_motion() {
         let test = SineTest::default();
-        refuse(&test.samples()).unwrap();
+        reject(&test.samples()).unwrap();
         let mut random = Random::new(3);
         let noise: Vec<f64> = (0..test.samples().len()).map(|_| 1e-5 * random.normal()).collect();
         let with = |x: &dyn Fn(usize) -> f64, velocity: bool| {
@@ -73,14 +73,14 @@ mod tests {
             if !velocity {
                 samples.velocity = None;
             }
-            refuse(&samples).map_err(|e| e.to_string())
+            reject(&samples).map_err(|e| e.to_string())
         };
         for still in [&|_: usize| 0.01, &|i: usize| 0.01 + 1e-5 * (i * i % 3) as f64, &|i: usize| noise[i]]
             as [&dyn Fn(usize) -> f64; 3]
         {
             let message = with(still, false).unwrap_err();
             assert!(message.contains("test.csv: the damper does not move: displacement"), "{message}");
-            // This check accepts a sensor that is constant while the other moves, because `frozen::refuse` reports it.
+            // This check accepts a sensor that is constant while the other moves, because `frozen::reject` reports it.
             with(still, true).unwrap();
         }
         // A stroke as small as the noise of its sensor is still a stroke.
@@ -90,9 +90,15 @@ mod tests {
     #[test]
     fn a_force_that_never_changes_is_none() {
         let mut samples = SineTest::default().samples();
-        refuse_constant_force(&samples).unwrap();
+        reject_constant_force(&samples).unwrap();
         samples.force.fill(-120.0);
-        let message = refuse_constant_force(&samples).unwrap_err().to_string();
+        let message = reject_constant_force(&samples).unwrap_err().to_string();
         assert!(message.contains("force is -120.000000 N in every row"), "{message}");
+    }
+
+    #[test]
+    fn three_distinct_values_are_rest_and_four_are_motion() {
+        let channel = |values: usize| -> Vec<f64> { (0..200).map(|i| 0.01 + 1e-5 * (i % values) as f64).collect() };
+        assert!(flickers(&channel(3)) && !flickers(&channel(4)));
     }
 }

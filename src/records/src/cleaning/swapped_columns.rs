@@ -13,7 +13,7 @@ use dashpot_messages::{Sentence, format_decimals};
 
 /// Rejects samples with headings that are probably exchanged. A unit that the user gave for a channel confirms its
 /// heading.
-pub(crate) fn refuse(samples: &Samples, options: &Options) -> Result<(), RecordError> {
+pub(crate) fn reject(samples: &Samples, options: &Options) -> Result<(), RecordError> {
     let insisted = |a: Channel, b: Channel| [a, b].iter().any(|c| options.units.contains_key(c));
     let error = |a: Channel, b: Channel, evidence: Sentence| {
         RecordError::Implausible(PlausibilityError::Swapped {
@@ -185,7 +185,7 @@ mod tests {
     fn said(change: impl Fn(&mut Samples)) -> String {
         let mut samples = SineTest::default().samples();
         change(&mut samples);
-        refuse(&samples, &Options::default()).map_or_else(|e| e.to_string(), |()| String::new())
+        reject(&samples, &Options::default()).map_or_else(|e| e.to_string(), |()| String::new())
     }
 
     fn swap_with_force(samples: &mut Samples) {
@@ -232,8 +232,29 @@ mod tests {
         let mut samples = SineTest::default().samples();
         swap_with_force(&mut samples);
         let mut options = Options::default();
-        assert!(refuse(&samples, &options).is_err());
+        assert!(reject(&samples, &options).is_err());
         options.units.insert(Channel::Displacement, "mm".parse().unwrap());
-        assert!(refuse(&samples, &options).is_ok());
+        assert!(reject(&samples, &options).is_ok());
+    }
+
+    /// Returns whether the displacement is rejected as a force. It has the given `range`, m, and `times` the roughness
+    /// of the force. The recorded velocity is that of the displacement, so it is no evidence.
+    fn is_rejected(range: f64, times: f64) -> bool {
+        let phase = |i: usize| std::f64::consts::TAU * i as f64 / 400.0;
+        // The eleventh harmonic increases the third differences by 11³ and hardly changes the range.
+        let harmonic = (times * times - 1.0).sqrt() / 1331.0;
+        let mut samples = SineTest { noise: 0.0, ..SineTest::default() }.samples();
+        let n = samples.len();
+        let of = |wave: &dyn Fn(f64) -> f64| (0..n).map(|i| 0.5 * range * wave(phase(i))).collect::<Vec<f64>>();
+        samples.displacement = Some(of(&|p| libm::sin(p) + harmonic * libm::sin(11.0 * p)));
+        samples.velocity = Some(of(&|p| libm::cos(p) + 11.0 * harmonic * libm::cos(11.0 * p)));
+        samples.force = (0..n).map(|i| 100.0 * libm::cos(phase(i))).collect();
+        reject(&samples, &Options::default()).is_err()
+    }
+
+    #[test]
+    fn a_rough_displacement_of_more_than_a_meter_is_a_force() {
+        assert!(is_rejected(1.3, 4.0) && !is_rejected(0.8, 4.0));
+        assert!(is_rejected(1.3, 3.0) && !is_rejected(1.3, 2.0));
     }
 }

@@ -337,4 +337,17 @@ mod tests {
         assert!(cell.contains("'Force'") && cell.contains("'oops'"), "{cell}");
         assert!(said(FILE).contains("no data rows"));
     }
+
+    #[test]
+    fn packets_join_over_a_gap_of_a_fiftieth_of_their_length() {
+        let names = ["X_Value", "Displacement", "Force", "Comment"];
+        let rows = "\t1\t0.1\n\t2\t0.2\n\t3\t0.3\n";
+        // A packet lasts 1.5 s.
+        let tests = |gap: f64| {
+            let packets = heading(0.0, &names) + rows + "\t\n" + &heading(1.5 * (1.0 + gap), &names) + rows;
+            read(&(FILE.to_owned() + &packets)).unwrap().len()
+        };
+        assert_eq!((tests(0.015), tests(-0.015)), (1, 1));
+        assert_eq!((tests(0.03), tests(-0.03)), (2, 2));
+    }
 }

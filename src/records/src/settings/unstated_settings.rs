@@ -37,7 +37,7 @@ const NAMES: usize = 6;
 
 /// Adds notes about tests with equal motion but different force. `seen` contains the force levels of each test in the
 /// middle of its strokes.
-pub(crate) fn tell(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
+pub(crate) fn report(records: &[Record], seen: &[Levels], notes: &mut Vec<Note>) {
     // A note has already named the settings, so no further note is added.
     if notes.iter().any(|note| ["settings", "changing_setting"].contains(&note.kind)) {
         return;
@@ -284,7 +284,7 @@ mod tests {
 
     fn said(records: &[Record]) -> String {
         let mut notes = Vec::new();
-        tell(records, &in_the_middle(records), &mut notes);
+        report(records, &in_the_middle(records), &mut notes);
         notes.iter().map(|n| format!("[{}] {}\n", n.kind, n.text)).collect()
     }
 

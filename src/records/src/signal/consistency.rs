@@ -68,7 +68,7 @@ pub(crate) fn compare(time: &[f64], displacement: &[f64], velocity: &[f64]) -> O
 
 /// Returns whether the velocity is the derivative of the displacement with a significant time shift, such as that of a
 /// filter. `step` is the time between samples, s. `period` is that of the cycles, s, or `None` without cycles.
-pub(crate) fn is_late(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
+pub(crate) fn is_delayed(agreement: &Agreement, step: f64, period: Option<f64>) -> bool {
     let Agreement { gain, lag, explained, .. } = *agreement;
     let phase = period.map_or(f64::INFINITY, |period| std::f64::consts::TAU * lag.abs() / period);
     explained > SAME_MOTION && (0.75..1.33).contains(&gain) && lag.abs() > LAG_OF_SAMPLE * step && phase > LAG_OF_PHASE
@@ -117,12 +117,12 @@ mod tests {
         let agreement = compare(&time, &x, &v).unwrap();
         assert!((agreement.gain - 1.0).abs() < 1e-3 && agreement.lag.abs() < 1e-5, "{agreement:?}");
         assert!(contradiction(&agreement, &[]).is_none());
-        assert!(!is_late(&agreement, 0.002, Some(1.0)));
+        assert!(!is_delayed(&agreement, 0.002, Some(1.0)));
         // The velocity is 3 % too large, has an offset and lags by four samples (8 ms).
         let late: Vec<f64> = (0..v.len()).map(|i| 1.03 * v[i.saturating_sub(4)] + 0.002).collect();
         let agreement = compare(&time, &x, &late).unwrap();
         assert!((agreement.gain - 1.03).abs() < 3e-3 && (agreement.lag - 0.008).abs() < 2e-4, "{agreement:?}");
-        assert!(is_late(&agreement, 0.002, Some(1.0)) && !is_late(&agreement, 0.002, Some(100.0)));
+        assert!(is_delayed(&agreement, 0.002, Some(1.0)) && !is_delayed(&agreement, 0.002, Some(100.0)));
     }
 
     #[test]
@@ -156,11 +156,11 @@ mod tests {
     #[test]
     fn a_lag_within_conversion_or_noise_is_none() {
         let size = MotionSize { amplitude: 0.05, speed: 0.31 };
-        let is_late =
-            |lag: f64, step: f64| is_late(&Agreement { gain: 1.0, lag, explained: 1.0, size }, step, Some(1.0));
+        let is_delayed =
+            |lag: f64, step: f64| is_delayed(&Agreement { gain: 1.0, lag, explained: 1.0, size }, step, Some(1.0));
         // The lags are first fractions of a sampling interval of 0.1 s, then phases in rad of a cycle of 1 s.
-        assert!(!is_late(0.2 * 0.1, 0.1) && is_late(0.3 * 0.1, 0.1));
+        assert!(!is_delayed(0.2 * 0.1, 0.1) && is_delayed(0.3 * 0.1, 0.1));
         let tau = std::f64::consts::TAU;
-        assert!(!is_late(0.015 / tau, 1e-4) && is_late(0.025 / tau, 1e-4));
+        assert!(!is_delayed(0.015 / tau, 1e-4) && is_delayed(0.025 / tau, 1e-4));
     }
 }

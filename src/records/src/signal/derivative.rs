@@ -39,8 +39,9 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
     let mut velocity = vec![0.0; n];
     // Whether the slopes of all windows so far agree, for each sample.
     let mut agree = vec![true; n];
-    let mut reach = longest.min(2);
-    loop {
+    // Weights of the longest window.
+    let mut last = Vec::new();
+    for reach in reaches(longest) {
         let Slopes { slopes, gains, weights } = slopes(time, displacement, reach);
         for i in 0..n {
             if !agree[i] {
@@ -53,14 +54,17 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
                 velocity[i] = slopes[i];
             }
         }
-        if reach == longest {
-            let shorter = agree.iter().filter(|same| !**same).count() as f64 / n.max(1) as f64;
-            let window = 2.0 * reach as f64 * step;
-            let filter = Filter { points: 2 * reach + 1, window, bandwidth: bandwidth(&weights, step), shorter };
-            return (velocity, filter);
-        }
-        reach = ((LONGER * reach as f64).ceil() as usize).min(longest);
+        last = weights;
     }
+    let shorter = agree.iter().filter(|same| !**same).count() as f64 / n.max(1) as f64;
+    let window = 2.0 * longest as f64 * step;
+    (velocity, Filter { points: 2 * longest + 1, window, bandwidth: bandwidth(&last, step), shorter })
+}
+
+/// Returns the numbers of samples on each side of the center of successive windows, up to the `longest`.
+fn reaches(longest: usize) -> impl Iterator<Item = usize> {
+    let next = move |reach: &usize| (*reach < longest).then(|| ((LONGER * *reach as f64).ceil() as usize).min(longest));
+    std::iter::successors(Some(longest.min(2)), next)
 }
 
 /// Returns the standard deviation of the white noise of a displacement channel, m, at least that of its quantization.
@@ -285,5 +289,15 @@ mod tests {
         let time: Vec<f64> = (0..2000).map(|i| 1e-3 * f64::from(i)).collect();
         let displacement: Vec<f64> = time.iter().map(|t| libm::sin(*t)).collect();
         assert_eq!(differentiate(&time, &displacement, 10.0).1.points, 501);
+    }
+
+    #[test]
+    fn windows_grow_by_less_than_half_and_are_few() {
+        let reaches: Vec<usize> = reaches(250).collect();
+        assert!(
+            reaches.windows(2).all(|pair| pair[0] < pair[1] && pair[1] as f64 <= 1.7 * pair[0] as f64),
+            "{reaches:?}"
+        );
+        assert!(reaches[0] == 2 && reaches.last() == Some(&250) && reaches.len() <= 16, "{reaches:?}");
     }
 }

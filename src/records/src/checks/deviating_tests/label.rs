@@ -93,6 +93,6 @@ impl<'a> Labels<'a> {
 /// Returns the deviations of a test from a reference at their common velocities, as natural logarithms of the force
 /// ratio. Returns `None` if these velocities are too few.
 fn compared(test: &Seen<'_>, reference: &Reference<'_>) -> Option<Vec<f64>> {
-    let off = reference.off(test, 1.0, 1.0);
+    let off = reference.deviations(test, 1.0, 1.0);
     (off.len() >= FEWEST && 2 * off.len() >= test.levels.len()).then_some(off)
 }

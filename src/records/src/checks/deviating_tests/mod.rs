@@ -495,4 +495,18 @@ mod tests {
             }
         }
     }
+
+    #[test]
+    fn a_unit_that_no_damper_explains_may_leave_a_residual() {
+        // The damper of the file with another unit is firmer than the others by 70 %.
+        let named = |channel: Channel, factor: f64| {
+            let mut records = campaign(1500.0, &PLAN);
+            times(&mut records[2], channel, factor);
+            times(&mut records[2], Channel::Force, 1.7);
+            said(&records, &Options::default())
+        };
+        let minutes = named(Channel::Time, 1.0 / 60.0);
+        assert!(minutes.contains("speaks for min written as s"), "{minutes}");
+        assert_eq!(named(Channel::Displacement, 1.0 / 25.4), "");
+    }
 }

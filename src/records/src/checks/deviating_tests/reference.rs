@@ -3,7 +3,8 @@
 use super::Seen;
 use crate::checks::force_levels::{Level, Levels, apart};
 use crate::numbers::median;
-use crate::tuning::deviating_tests::{AGREE, AS_LONG, CELL_OFFSET, OF_SCATTER};
+use crate::tuning::deviating_tests::{AGREE, AS_LONG, OF_SCATTER};
+use crate::tuning::load_cell::OFFSET;
 use std::collections::BTreeMap;
 
 /// Returns the indices of the largest set of tests that are connected by agreement of pairs. A set may have only one
@@ -88,7 +89,7 @@ impl<'a> Reference<'a> {
 
     /// Returns the deviations of a test from the others at their common velocities, as natural logarithms of the force
     /// ratio. The test's forces and velocities are first scaled by the given factors.
-    pub(super) fn off(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
+    pub(super) fn deviations(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
         test.levels.iter().filter_map(at).collect()
@@ -109,9 +110,44 @@ impl<'a> Reference<'a> {
             let Some((middle, scatter)) = self.between.get(k) else { continue };
             as_read.push((level.between - middle).abs());
             otherwise.push((factor * level.between - middle).abs());
-            allowed.push(CELL_OFFSET + OF_SCATTER * scatter);
+            allowed.push(OFFSET + OF_SCATTER * scatter);
         }
         let otherwise = median(&mut otherwise);
         otherwise > median(&mut as_read) && otherwise > median(&mut allowed)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::checks::deviating_tests::Reading;
+    use crate::data::record::Record;
+    use crate::options::Options;
+
+    /// Calls `check` with the reference of three tests of 10 mm amplitude, whose mean forces of the two directions are
+    /// −100, −110 and −120 N, and with a test of −110 N.
+    fn with_reference(check: impl Fn(&Reference<'_>, &Seen<'_>) -> bool) -> bool {
+        let record = Record { amplitude: 0.01, ..Record::default() };
+        let (options, units) = (Options::default(), Vec::new());
+        let reading = Reading { units, options: &options };
+        let seen = |between: f64| {
+            let levels = (0..3).map(|k| (k, Level { against: 300.0, between })).collect();
+            Seen { record: &record, reading: &reading, levels, stated: 0 }
+        };
+        let (tests, own) = ([-100.0, -110.0, -120.0].map(seen), seen(-110.0));
+        check(&Reference::new(tests.iter().collect()), &own)
+    }
+
+    #[test]
+    fn a_test_is_compared_with_strokes_of_up_to_one_and_a_half_times() {
+        let is_short = |amplitude: f64| with_reference(|reference, own| reference.are_as_short(own, amplitude));
+        assert!(is_short(0.0072) && !is_short(0.006));
+    }
+
+    #[test]
+    fn the_scatter_of_the_gas_force_excuses_a_factor() {
+        // The others scatter by 10 N, so a deviation of 45 N is acceptable.
+        let is_against = |factor: f64| with_reference(|reference, own| reference.gas_speaks_against(own, factor));
+        assert!(!is_against(1.3) && is_against(1.5));
     }
 }

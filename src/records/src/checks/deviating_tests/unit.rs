@@ -6,7 +6,8 @@ use super::reference::Reference;
 use crate::numbers::median;
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::Unit;
-use crate::tuning::deviating_tests::{AS_LIKELY, BEYOND_DAMPERS, CLOSE, CLOSE_BEYOND, FEWEST, LARGEST_AMPLITUDE, OFF};
+use crate::tuning::deviating_tests::{AS_LIKELY, BEYOND_DAMPERS, CLOSE, CLOSE_BEYOND, FEWEST, OFF};
+use crate::tuning::plausibility::LARGEST_AMPLITUDE;
 
 /// Units that a channel of a test may have instead of the one that the file states.
 #[derive(Debug, PartialEq)]
@@ -33,7 +34,7 @@ struct Candidate {
 /// deviation (below [`OFF`]), or if the user gave the unit. Also returns `None` if no other unit makes the test agree
 /// with the reference.
 pub(super) fn find_wrong_unit(test: &Seen<'_>, reference: &Reference<'_>) -> Option<WrongUnit> {
-    let mut as_read: Vec<f64> = reference.off(test, 1.0, 1.0).iter().map(|off| off.abs()).collect();
+    let mut as_read: Vec<f64> = reference.deviations(test, 1.0, 1.0).iter().map(|off| off.abs()).collect();
     if as_read.len() >= FEWEST && median(&mut as_read) < OFF {
         return None;
     }
@@ -68,7 +69,7 @@ fn evaluate(
         Channel::Time => (1.0, 1.0 / factor),
         _ => (1.0, factor),
     };
-    let off = reference.off(test, of_force, of_velocity);
+    let off = reference.deviations(test, of_force, of_velocity);
     // The other tests must cover most velocities of the rescaled test, because only common velocities allow a
     // comparison.
     if off.len() < FEWEST || 2 * off.len() < test.levels.len() {
