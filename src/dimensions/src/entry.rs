@@ -113,7 +113,7 @@ pub const ENTRIES: [EntryRow; 17] = [
         1.0,
         (-40.0, 150.0),
         0.0,
-        "temperature at which the gas has that pressure; 20 where it is missing",
+        "temperature at which the gas has the stated pressure; default 20",
     ),
     row(Entry::OilVolume, "oil_volume_cm3", 1e-6, (1.0, 50_000.0), 0.05, "volume of all oil"),
     row(Entry::OilModulus, "oil_modulus_gpa", 1e9, (0.2, 4.0), 0.1, "bulk modulus of the oil without air"),
@@ -140,7 +140,7 @@ pub const ENTRIES: [EntryRow; 17] = [
         1e9,
         (10.0, 400.0),
         0.03,
-        "Young's modulus of that tube; 206 (steel) where it is missing",
+        "Young's modulus of the tube in which the piston runs; default 206 (steel)",
     ),
     row(
         Entry::EyeStiffness,
@@ -148,7 +148,7 @@ pub const ENTRIES: [EntryRow; 17] = [
         1e3,
         (10.0, 1e6),
         0.2,
-        "stiffness of eyes and mounts on the rig, in line with each other",
+        "stiffness of eyes and mounts on the rig, in series",
     ),
     row(
         Entry::DischargeCoefficient,
@@ -156,7 +156,7 @@ pub const ENTRIES: [EntryRow; 17] = [
         1.0,
         (0.3, 1.0),
         0.05,
-        "discharge coefficient of the valves' passages; 0.6 to 0.8 where it is missing",
+        "discharge coefficient of the valves' passages; default 0.6 to 0.8",
     ),
 ];
 

@@ -39,9 +39,9 @@ const SEALS: &str =
     "seals and guides of passenger-car dampers: Deubel & Prokop, J. Automob. Eng. 2023; thesis, chapter 4";
 const OIL: &str = "β 1.2 to 1.7 GPa, less with air, columns of 8 to 50 cm: Duym & Reybrouck 1998; Segel & Lang 1981";
 const RUBBER: &str = "eyes and top mounts: García Tárrago 2007; Sjöberg, KTH 2002";
-const EYE: &str = "weight of 1 to 3 kg on an eye, and what clamping leaves in it";
+const EYE: &str = "weight of 1 to 3 kg on an eye, and residual clamping force";
 const GAS: &str = "monotube 20 to 30 bar on rods of 11 to 14 mm, twin tube 3 to 8 bar: Dixon 2007, chapter 7";
-const WARM_GAS: &str = "0.34 % of 80 to 400 N a kelvin (Gay-Lussac), to three times that where oil that expands takes the gas its room: Dixon 2007, chapter 5";
+const WARM_GAS: &str = "0.34 % of 80 to 400 N per kelvin (Gay-Lussac), up to three times that where expanding oil compresses the gas: Dixon 2007, chapter 5";
 const VALVES: &str = "shim and spring valves of passenger-car dampers: Talbott & Starkey 2002; Dixon 2007, chapter 6";
 const STOPS: &str = "stops of cars at 20 to 80 mm from standing height: Dixon 2007, chapter 2";
 const RIG: &str = "clamps, eyes and adapters of hydraulic rigs";

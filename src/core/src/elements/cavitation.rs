@@ -100,14 +100,14 @@ impl Describe for Cavitation {
         Parameter::choice(
             "cavitation_form",
             &["cap", "foot_valve"],
-            "cause of the void: limited force on that stroke, or a foot valve that does not refill the chamber behind the piston",
+            "cause of the void: limited force on the cavitating stroke, or a foot valve that does not refill the chamber behind the piston",
         ),
         Parameter::scalar(
             "cavitation_velocity",
             "m/s",
             &[0.3],
             (0.0, 10.0),
-            "foot valve: speed above which the chamber is not refilled completely, v_f",
+            "foot valve: speed on the cavitating stroke above which the chamber is not refilled completely, v_f",
         )
         .in_form("cavitation_form", &["foot_valve"]),
         Parameter::scalar(
