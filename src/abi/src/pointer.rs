@@ -21,7 +21,7 @@ pub(crate) fn present<T>(pointer: *const T) -> Result<(), Rejected> {
 /// Rejects misaligned pointers. Null is accepted here. One combined check keeps the cost of a step low.
 macro_rules! aligned {
     ($($pointer:expr),+ $(,)?) => {
-        if 0 $(| $crate::pointer::off($pointer))+ != 0 {
+        if 0 $(| $crate::pointer::misaligned_bits($pointer))+ != 0 {
             return Err($crate::status::Rejected($crate::status::DASHPOT_MISALIGNED));
         }
     };
@@ -30,7 +30,7 @@ pub(crate) use aligned;
 
 /// Returns the address bits that are zero for an aligned pointer.
 #[inline(always)]
-pub(crate) fn off<T>(pointer: *const T) -> usize {
+pub(crate) fn misaligned_bits<T>(pointer: *const T) -> usize {
     pointer.addr() & (align_of::<T>() - 1)
 }
 

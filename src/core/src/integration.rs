@@ -3,7 +3,7 @@
 use crate::assembly::Elements;
 use crate::number;
 use crate::parameter::Params;
-use crate::paths::acting::{self, Bends};
+use crate::paths::acting::{self, Nonlinearity};
 
 /// Bounds of the step length dt, s, within which no power of mass/dt or stiffness·dt in the step overflows or
 /// underflows.
@@ -64,7 +64,7 @@ const CUBIC: f64 = 0.12;
 ///
 /// The factors were determined with the test matrix (core/tests/kernel/paths_accuracy.rs). `KNEE` is for one element
 /// with a knee, such as free play, a symmetric oil column or a valve with play. `SEVERAL` is for a cavitation void,
-/// air, a valve with mass, or several elements. `TURNS` is for [`Bends::Turning`], such as an oil column whose
+/// air, a valve with mass, or several elements. `TURNS` is for [`Nonlinearity::Turning`], such as an oil column whose
 /// stiffness changes with the sign of the force. `WHOLE` is for friction behind the series spring.
 ///
 /// `RUBBER` is not a factor, because the smooth force of a bushing is integrated with the fourth-order method. Its
@@ -74,7 +74,7 @@ const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;
 const WHOLE: f64 = 20.0;
 const RUBBER: f64 = 0.33;
-/// Rate of two substeps per millisecond, 1/s. It is the minimum for [`Bends::Several`] and [`Bends::Turning`], even
+/// Rate of two substeps per millisecond, 1/s. It is the minimum for [`Nonlinearity::Several`] and [`Nonlinearity::Turning`], even
 /// with a soft series spring. These elements make the force nonlinear by themselves. With fewer substeps, the error of
 /// oil with air exceeds a thousandth at steps of 2 ms.
 const TWO_A_MILLISECOND: f64 = 2e3;
@@ -158,7 +158,7 @@ impl Integration {
         // the second case, f/n is 4 to 6 at 0.1 % error, and smaller with less damping
         // (tests/tests/system/hosts/bridge_accuracy.rs).
         let bushing = &elements.paths.bushing;
-        let added = bushing.share + bushing.slow_share + bushing.stop_share;
+        let added = bushing.ratio + bushing.slow_ratio + bushing.stop_ratio;
         let stiffness = params.number(number!("series_stiffness")) * (1.0 + added);
         let mass = if elements.has_series() {
             elements.paths.series_compliance.mass
@@ -185,10 +185,10 @@ impl Integration {
         // Elements in the series or the hydraulic path make the force more nonlinear within a step. The effect is
         // stronger for an oil column whose stiffness changes with the sign of the force. It is strongest for friction
         // that reverses behind a spring.
-        let sharpness = match acting::is_nonlinear(&elements.paths) {
-            Bends::Whole => 20.0,
-            Bends::Turning => 8.0,
-            Bends::Little if !acting::is_sharp(&elements.paths) => 1.0,
+        let sharpness = match acting::nonlinearity(&elements.paths) {
+            Nonlinearity::Whole => 20.0,
+            Nonlinearity::Turning => 8.0,
+            Nonlinearity::Little if !acting::is_sharp(&elements.paths) => 1.0,
             _ => 2.0,
         };
         let per_time = even(sharpness, frequency, swings.max(1.0));
@@ -216,13 +216,13 @@ impl Integration {
             many_per_time: by_stiffness.many_per_time.max(TWO_A_MILLISECOND),
             ..by_stiffness
         };
-        match acting::is_nonlinear(&elements.paths) {
-            Bends::Little => cheaper(1.0),
-            Bends::Smoothly => Integration::new(Method::Fourth, 0, RUBBER * frequency, many),
-            Bends::Knee => four(KNEE),
-            Bends::Several => at_least_two(three(SEVERAL)),
-            Bends::Turning => at_least_two(four(TURNS)),
-            Bends::Whole => four(WHOLE),
+        match acting::nonlinearity(&elements.paths) {
+            Nonlinearity::Little => cheaper(1.0),
+            Nonlinearity::Smoothly => Integration::new(Method::Fourth, 0, RUBBER * frequency, many),
+            Nonlinearity::Knee => four(KNEE),
+            Nonlinearity::Several => at_least_two(three(SEVERAL)),
+            Nonlinearity::Turning => at_least_two(four(TURNS)),
+            Nonlinearity::Whole => four(WHOLE),
         }
     }
 

@@ -26,7 +26,7 @@ pub(crate) fn with_actuator(layout: f64, lag: bool, hysteresis: bool) -> f64 {
 }
 
 /// Computes the layout of an element set.
-pub(crate) fn of(e: &Elements) -> f64 {
+pub(crate) fn from_elements(e: &Elements) -> f64 {
     let paths = &e.paths;
     let has = |place: usize| paths.slots().slot(place).is_some();
     let selective = paths.frequency_selective_damping.holds_force();

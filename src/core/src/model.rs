@@ -77,7 +77,7 @@ impl Model {
         self.elements.set(params);
         self.elements.join();
         self.integration = Integration::prepare(params, &self.elements);
-        self.layout = crate::layout::of(&self.elements);
+        self.layout = crate::layout::from_elements(&self.elements);
         Ok(())
     }
 

@@ -259,7 +259,7 @@ fn step_through_paths(
     let mut by_end = paths::PathsByEnd::new(derivatives);
     advance_paths_with(model, state, to, dt, &mut by_end, output);
     if to.displacement.is_none() {
-        output.d_force_d_velocity += 0.5 * paths::held(dt) * output.d_force_d_displacement;
+        output.d_force_d_velocity += 0.5 * paths::clamp_step(dt) * output.d_force_d_displacement;
     }
 }
 
@@ -286,7 +286,7 @@ fn advance_paths_with(
 ) {
     let e = &model.elements;
     let substeps = model.integration.substeps(dt);
-    let path = Path::new(state.displacement, state.velocity, to, paths::held(dt));
+    let path = Path::new(state.displacement, state.velocity, to, paths::clamp_step(dt));
     let (x, v) = path.end();
     let outer = Motion { displacement: x, velocity: v, side_force: to.side_force, temperature: to.temperature };
     let method = Tableau::for_method(model.integration.method_of(dt, substeps, || stiffer(e, state, v)));
@@ -535,7 +535,7 @@ fn advance_by<P: Primary, T: Tables, F: Follow<T>, const COMMON: bool, const BEN
         by_x = s.stiffness - x_yields;
         by_v = s.damping - v_yields;
     } else {
-        let (inner, primary) = (e.inner(&outer), primary.at(e, v));
+        let (inner, primary) = (e.inner(&outer), primary.evaluate(e, v));
         state.mass_displacement = x;
         state.mass_velocity = v;
         output.primary_force = primary.value;

@@ -308,7 +308,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     let records = &selected[..];
     let segments = segments(records);
     check_motion(&segments)?;
-    let about = About::of(records);
+    let about = About::from_records(records);
     let tests = samples::tests(records);
     progress(Stage { done: 0.05, text: phrases::PLAIN_CURVE });
     let fv_only = plain_curve(&segments);
@@ -326,7 +326,7 @@ pub fn fit(records: &[&Record], options: &FitOptions, progress: impl Fn(Stage)) 
     }
     progress(Stage { done: 1.0, text: phrases::DONE });
     let Found { params, estimates, inventory, measured, mut notes, misfit } = found;
-    let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
+    let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.stated)).collect();
     notes.extend(measured.iter().map(Measured::in_words));
     notes.extend(describe_priors(&options.priors, &estimates));
     notes.extend(estimates.iter().filter_map(|estimate| describe_rare(estimate, &params, &options.priors)));
@@ -372,15 +372,15 @@ pub(crate) struct About {
     /// Whether the clocks of the records continue from test to test through the campaign.
     clock_runs_on: bool,
     /// Measurement errors that the user stated.
-    pub(crate) given: MeasurementError,
+    pub(crate) stated: MeasurementError,
     /// Middle of the range of the measured temperatures, °C. `None` if a record has no temperatures, or if they vary by at most 3 K.
     temperature: Option<f64>,
 }
 
 impl About {
-    pub(crate) fn of(records: &[&Record]) -> About {
+    pub(crate) fn from_records(records: &[&Record]) -> About {
         let temperature = temperatures(records).map(|(low, high)| 0.5 * (low + high));
-        About { clock_runs_on: clock_runs_on(records), given: MeasurementError::stated(records), temperature }
+        About { clock_runs_on: clock_runs_on(records), stated: MeasurementError::stated(records), temperature }
     }
 }
 
@@ -502,7 +502,7 @@ fn fit_thesis(
     let probabilities = search.probabilities(Temperatures::WITHOUT_REFERENCE);
     let probability = |effect: &str| probabilities.get(effect).copied().unwrap_or(0.0);
     let inventory = inventory(&best, None, tests, &probability);
-    let mut found = finish(&best, tests, &about.given);
+    let mut found = finish(&best, tests, &about.stated);
     let others = alternatives(&search, &best, Temperatures::WITHOUT_REFERENCE, tests);
     let of =
         |other: &Alternative| (other.weight, estimates(&other.structure.hypothesis, &other.structure.refit, tests));

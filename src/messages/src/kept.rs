@@ -34,7 +34,7 @@ impl From<&Value> for Kept {
             Value::AsIs(value) => Kept::Text(value.clone()),
             Value::Word(word) => text("word", word),
             Value::Foreign(foreign) => text("foreign", foreign),
-            Value::Said(sentence) => sentence.into(),
+            Value::Sentence(sentence) => sentence.into(),
             Value::List(values, between) => Kept::table([
                 ("list".to_owned(), Kept::List(values.iter().map(Kept::from).collect())),
                 ("between".to_owned(), Kept::Text(between.id().to_owned())),
@@ -75,7 +75,7 @@ impl Restorer {
             let place = template.places().find(|place| place == name)?;
             Some((place, self.value(value)?))
         });
-        Some(Sentence::of(template, values.collect::<Option<_>>()?))
+        Some(Sentence::from_parts(template, values.collect::<Option<_>>()?))
     }
 
     /// Restores the sentences of a file. The keys of the result are their English texts.
@@ -104,7 +104,7 @@ impl Restorer {
         }
         let word = text("word").map(|word| Value::Word(word.to_owned()));
         let foreign = || text("foreign").map(|foreign| Value::Foreign(foreign.to_owned()));
-        word.or_else(foreign).or_else(|| self.restore(kept).map(Value::Said))
+        word.or_else(foreign).or_else(|| self.restore(kept).map(Value::Sentence))
     }
 }
 

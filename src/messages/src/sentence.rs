@@ -146,7 +146,7 @@ pub(crate) enum Value {
     /// A text of the system, of another library or of a reader of one file format. It is not translated.
     Foreign(String),
     /// A sentence within the sentence.
-    Said(Sentence),
+    Sentence(Sentence),
     /// Several values, with the template of the text between them.
     List(Vec<Value>, Template),
 }
@@ -188,7 +188,7 @@ impl Sentence {
 
     /// Adds another sentence as the value of a placeholder.
     pub fn with_sentence(self, name: &'static str, sentence: impl Into<Sentence>) -> Self {
-        self.and(name, Value::Said(sentence.into()))
+        self.and(name, Value::Sentence(sentence.into()))
     }
 
     /// Adds another sentence, if there is one, as the value of a placeholder. Otherwise, the placeholder becomes empty.
@@ -212,7 +212,7 @@ impl Sentence {
 
     /// Adds a list of sentences as the value of a placeholder, with the text of `between` between them.
     pub fn with_list(self, name: &'static str, list: Vec<Sentence>, between: Template) -> Self {
-        self.and(name, Value::List(list.into_iter().map(Value::Said).collect(), between))
+        self.and(name, Value::List(list.into_iter().map(Value::Sentence).collect(), between))
     }
 
     /// Makes one sentence from several, with the text of `between` between them.
@@ -231,7 +231,7 @@ impl Sentence {
     }
 
     /// Makes a sentence from a template and the values of its placeholders.
-    pub(crate) fn of(template: Template, values: Vec<(&'static str, Value)>) -> Self {
+    pub(crate) fn from_parts(template: Template, values: Vec<(&'static str, Value)>) -> Self {
         Sentence { template, values }
     }
 
@@ -266,7 +266,7 @@ impl Value {
             Value::AsIs(text) => locale.value(place, text),
             Value::Word(word) => locale.word(word).unwrap_or(word).to_owned(),
             Value::Foreign(text) => text.clone(),
-            Value::Said(sentence) => sentence.to_text(locale),
+            Value::Sentence(sentence) => sentence.to_text(locale),
             Value::List(values, between) => {
                 let all: Vec<String> = values.iter().map(|value| value.to_text(place, locale)).collect();
                 all.join(&locale.message(between.id, &[]).unwrap_or_else(|| between.english.to_owned()))

@@ -1,5 +1,7 @@
-//! Tests the rules of STYLE.md: standard terms in public names and JSON keys, self-contained doc comments, short
-//! sentences in documents.
+//! Tests the rules of STYLE.md: standard terms in names and JSON keys, self-contained doc comments, short sentences in
+//! all Markdown documents.
+//!
+//! A name counts if another module can use it: `pub`, `pub(crate)`, `pub(super)` and `pub(in ...)`.
 //!
 //! `ALLOWED` states the remaining violations by crate and document. A count may only fall. The test fails at a higher
 //! count, and also at a lower count until the table contains the lower count.
@@ -11,20 +13,24 @@ use std::path::{Path, PathBuf};
 use syn::visit::{self, Visit};
 
 /// Largest mean sentence length of a document, words.
-const MEAN_WORDS: usize = 22;
+const MEAN_WORDS: usize = 20;
 /// Longest sentence of a document, words.
-const LONGEST_SENTENCE: usize = 40;
+const LONGEST_SENTENCE: usize = 25;
 /// Longest first sentence of a doc comment, words.
 const LONGEST_SUMMARY: usize = 25;
 
 const NAMES: &str = "names with words that STYLE.md replaces";
+const KEYS: &str = "JSON keys with words that STYLE.md replaces";
 const OPENINGS: &str = "doc comments that lean on another one";
 const SUMMARIES: &str = "doc comments whose first sentence is over 25 words";
-const SENTENCES: &str = "sentences over 40 words";
-const SURPLUS: &str = "words above a mean of 22 a sentence";
+const SENTENCES: &str = "sentences over 25 words";
+const SURPLUS: &str = "words above a mean of 20 a sentence";
 
 /// Remaining violations: crate or document, rule, count.
-const ALLOWED: &[(&str, &str, usize)] = &[];
+///
+/// The keys remain, because scripts depend on them: `share` twice, and the value `cannot_tell` of `verdict`.
+const ALLOWED: &[(&str, &str, usize)] =
+    &[("src/diagnosis", KEYS, 1), ("src/estimation", KEYS, 1), ("src/identification", KEYS, 1)];
 
 /// Words of the left column of the glossary in STYLE.md, which names must not contain. The test splits a name into its
 /// words. An entry with several words matches this sequence of words in a name.
@@ -92,26 +98,29 @@ fn replaced(name: &str) -> Option<&'static str> {
     WORDS.split_whitespace().find(has)
 }
 
-fn sentences(text: &str) -> Vec<usize> {
-    let mut lengths = Vec::new();
-    let mut length = 0;
+/// Splits a text into sentences, each with its number of words.
+fn sentences(text: &str) -> Vec<(usize, String)> {
+    let mut found = Vec::new();
+    let (mut length, mut sentence) = (0, String::new());
     let mut tokens = text.split_whitespace().peekable();
     while let Some(token) = tokens.next() {
         length += usize::from(token.chars().any(char::is_alphanumeric));
+        sentence += token;
+        sentence.push(' ');
         let closed = token.trim_end_matches([')', '"', '\u{201d}', '\'', '*', '_']);
         let ends = closed.ends_with(['.', '!', '?']) && !matches!(closed, "e.g." | "i.e." | "vs." | "cf.");
         let next_begins = tokens.peek().is_none_or(|next| {
             next.trim_start_matches(['(', '"', '\u{201c}', '*', '_']).starts_with(|c: char| !c.is_lowercase())
         });
         if ends && next_begins && length > 0 {
-            lengths.push(length);
+            found.push((length, std::mem::take(&mut sentence)));
             length = 0;
         }
     }
     if length > 0 {
-        lengths.push(length);
+        found.push((length, sentence));
     }
-    lengths
+    found
 }
 
 /// Returns the lengths of the sentences of a Markdown page, words, and the text of sentences that are too long. Code,
@@ -141,9 +150,9 @@ fn prose(page: &str) -> (Vec<usize>, Vec<String>) {
     let mut lengths = Vec::new();
     let mut long = Vec::new();
     for block in &blocks {
-        for length in sentences(block) {
+        for (length, sentence) in sentences(block) {
             if length > LONGEST_SENTENCE {
-                long.push(format!("{length} words in: {}", block.chars().take(90).collect::<String>()));
+                long.push(format!("{length} words in: {}", sentence.chars().take(90).collect::<String>()));
             }
             lengths.push(length);
         }
@@ -173,9 +182,10 @@ impl Findings {
         }
     }
 
-    fn check_name(&mut self, part: &str, file: &str, name: &str) {
+    /// Checks a name against a rule: [`NAMES`] or [`KEYS`].
+    fn check_name(&mut self, part: &str, rule: &'static str, file: &str, name: &str) {
         if let Some(entry) = replaced(name) {
-            self.add(part, NAMES, format!("{file}: {name} ({entry})"));
+            self.add(part, rule, format!("{file}: {name} ({entry})"));
         }
     }
 
@@ -183,7 +193,7 @@ impl Findings {
     fn check_item(&mut self, part: &str, file: &str, name: &str) {
         match says_nothing(name) {
             Some(_) => self.add(part, NAMES, format!("{file}: {name} says nothing alone")),
-            None => self.check_name(part, file, name),
+            None => self.check_name(part, NAMES, file, name),
         }
     }
 
@@ -197,7 +207,7 @@ impl Findings {
         }
         let names: BTreeSet<&str> = code.split(|c: char| !c.is_alphanumeric() && c != '_').collect();
         for name in names {
-            self.check_name(part, file, name);
+            self.check_name(part, NAMES, file, name);
         }
     }
 
@@ -207,7 +217,8 @@ impl Findings {
         reader.comments(&parsed.attrs);
         reader.visit_file(&parsed);
         if has_interface {
-            reader.names.iter().for_each(|name| self.check_name(part, file, name));
+            reader.names.iter().for_each(|name| self.check_name(part, NAMES, file, name));
+            reader.keys.iter().for_each(|name| self.check_name(part, KEYS, file, name));
             reader.items.iter().for_each(|name| self.check_item(part, file, name));
         }
         for comment in &reader.comments {
@@ -216,25 +227,32 @@ impl Findings {
             if first.starts_with("The same") || first.starts_with("As [") {
                 self.add(part, OPENINGS, format!("{file}: {opening}"));
             }
-            if sentences(first).first().is_some_and(|length| *length > LONGEST_SUMMARY) {
+            if sentences(first).first().is_some_and(|(length, _)| *length > LONGEST_SUMMARY) {
                 self.add(part, SUMMARIES, format!("{file}: {opening}"));
             }
         }
     }
 }
 
-/// Visitor that collects the public names, JSON keys and doc comments of one source file.
+/// Visitor that collects the names for other modules, the JSON keys and the doc comments of one source file.
 #[derive(Default)]
 struct Reader {
     /// Names of functions and types.
     items: Vec<String>,
-    /// Names of modules, constants, fields and variants, and JSON keys.
+    /// Names of modules, constants, fields and variants.
     names: Vec<String>,
+    /// JSON keys, and words of a choice in JSON, that are not the name of a field or variant.
+    keys: Vec<String>,
     comments: Vec<String>,
 }
 
-fn is_public(visibility: &syn::Visibility) -> bool {
-    matches!(visibility, syn::Visibility::Public(_))
+/// Returns whether other modules can use an item.
+fn is_visible(visibility: &syn::Visibility) -> bool {
+    match visibility {
+        syn::Visibility::Public(_) => true,
+        syn::Visibility::Restricted(inside) => !inside.path.is_ident("self"),
+        syn::Visibility::Inherited => false,
+    }
 }
 
 fn is_test(attributes: &[syn::Attribute]) -> bool {
@@ -247,6 +265,24 @@ fn is_serialized(attributes: &[syn::Attribute]) -> bool {
     attributes.iter().any(|a| {
         a.path().is_ident("derive") && a.meta.require_list().is_ok_and(|l| l.tokens.to_string().contains("Serialize"))
     })
+}
+
+/// Returns the names that serde writes instead of the names in the source: `rename`, `tag` and `content`.
+fn serialized_names(attributes: &[syn::Attribute]) -> Vec<String> {
+    let mut found = Vec::new();
+    for attribute in attributes.iter().filter(|a| a.path().is_ident("serde")) {
+        // A failure only ends the parsing of an attribute of another form, such as `rename(serialize = "...")`.
+        let _ = attribute.parse_nested_meta(|meta| {
+            let is_name = ["rename", "tag", "content"].iter().any(|key| meta.path.is_ident(key));
+            let Ok(value) = meta.value() else { return Ok(()) };
+            match value.parse::<syn::Lit>()? {
+                syn::Lit::Str(text) if is_name => found.push(text.value()),
+                _ => {}
+            }
+            Ok(())
+        });
+    }
+    found
 }
 
 impl Reader {
@@ -265,29 +301,29 @@ impl Reader {
     }
 
     fn item(&mut self, visibility: &syn::Visibility, name: &syn::Ident) {
-        if is_public(visibility) {
+        if is_visible(visibility) {
             self.items.push(name.to_string());
         }
     }
 
     fn name(&mut self, visibility: &syn::Visibility, name: &syn::Ident) {
-        if is_public(visibility) {
+        if is_visible(visibility) {
             self.names.push(name.to_string());
         }
     }
 
     /// Collects the keys in the tokens of `json!`: texts before a colon.
-    fn keys(&mut self, tokens: proc_macro2::TokenStream) {
+    fn tokens(&mut self, tokens: proc_macro2::TokenStream) {
         let mut last = None;
         for token in tokens {
             match token {
                 proc_macro2::TokenTree::Literal(literal) => last = Some(literal.to_string()),
                 proc_macro2::TokenTree::Punct(punct) if punct.as_char() == ':' => {
-                    self.names.extend(last.take().filter(|text| text.starts_with('"')));
+                    self.keys.extend(last.take().filter(|text| text.starts_with('"')));
                 }
                 proc_macro2::TokenTree::Group(group) => {
                     last = None;
-                    self.keys(group.stream());
+                    self.tokens(group.stream());
                 }
                 _ => last = None,
             }
@@ -297,7 +333,8 @@ impl Reader {
     fn fields(&mut self, fields: &syn::Fields, all: bool) {
         for field in fields {
             self.comments(&field.attrs);
-            if let Some(name) = field.ident.as_ref().filter(|_| all || is_public(&field.vis)) {
+            self.keys.extend(serialized_names(&field.attrs));
+            if let Some(name) = field.ident.as_ref().filter(|_| all || is_visible(&field.vis)) {
                 self.names.push(name.to_string());
             }
         }
@@ -317,14 +354,17 @@ impl<'ast> Visit<'ast> for Reader {
             syn::Item::Struct(i) => {
                 self.item(&i.vis, &i.ident);
                 self.comments(&i.attrs);
+                self.keys.extend(serialized_names(&i.attrs));
                 self.fields(&i.fields, is_serialized(&i.attrs));
             }
             syn::Item::Enum(i) => {
                 self.item(&i.vis, &i.ident);
                 self.comments(&i.attrs);
-                let open = is_public(&i.vis);
+                self.keys.extend(serialized_names(&i.attrs));
+                let open = is_visible(&i.vis);
                 for variant in &i.variants {
                     self.comments(&variant.attrs);
+                    self.keys.extend(serialized_names(&variant.attrs));
                     if open {
                         self.names.push(variant.ident.to_string());
                     }
@@ -337,7 +377,7 @@ impl<'ast> Visit<'ast> for Reader {
                 for item in &i.items {
                     if let syn::TraitItem::Fn(f) = item {
                         self.comments(&f.attrs);
-                        if is_public(&i.vis) {
+                        if is_visible(&i.vis) {
                             self.items.push(f.sig.ident.to_string());
                         }
                     }
@@ -362,12 +402,12 @@ impl<'ast> Visit<'ast> for Reader {
 
     fn visit_macro(&mut self, mac: &'ast syn::Macro) {
         if mac.path.segments.last().is_some_and(|segment| segment.ident == "json") {
-            self.keys(mac.tokens.clone());
+            self.tokens(mac.tokens.clone());
         }
     }
 }
 
-/// Lists files with an extension below a folder, sorted.
+/// Lists files with an extension below a folder, sorted, without hidden folders and those of builds.
 fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     let mut found = Vec::new();
     let mut entries: Vec<PathBuf> = match std::fs::read_dir(folder) {
@@ -376,7 +416,8 @@ fn files(folder: &Path, ending: &str) -> Vec<PathBuf> {
     };
     entries.sort();
     for path in entries {
-        if path.is_dir() && path.file_name().is_some_and(|name| name != "target") {
+        let name = path.file_name().map(|name| name.to_string_lossy()).unwrap_or_default();
+        if path.is_dir() && name != "target" && !name.starts_with('.') {
             found.extend(files(&path, ending));
         } else if path.extension().is_some_and(|e| e == ending) {
             found.push(path);
@@ -408,9 +449,7 @@ fn findings() -> Findings {
     for header in ["include/dashpot.h", "vi-crt-bridge/bridge/dashpot_bridge.h"] {
         findings.check_header(header, header, &read(&root().join(header)));
     }
-    let mut documents = vec![root().join("README.md"), root().join("CHANGELOG.md"), root().join("STYLE.md")];
-    documents.extend(files(&root().join("docs/book/src"), "md"));
-    for path in documents {
+    for path in files(&root(), "md") {
         findings.check_document(&relative(&path), &read(&path));
     }
     findings
@@ -447,16 +486,21 @@ fn each_rule_finds_what_breaks_it() {
          pub struct S { pub force_by_x: f64, slope: f64 }\n\
          #[derive(Serialize)] struct Keys { usual: f64 }\n\
          fn f() { json!({\"hidden\": [1, {\"fine\": 2}]}) }\n\
+         pub(crate) fn beside_it() {}\n\
+         impl S { pub(in crate::s) fn is_held(&self) {} fn shares(&self) {} pub(self) fn slopes(&self) {} }\n\
+         struct Written { #[serde(default, rename = \"price\")] p: f64 }\n\
+         #[serde(tag = \"told\", rename_all = \"snake_case\")] enum Tagged { #[serde(rename = \"late\")] A }\n\
          #[cfg(test)] mod tests { pub fn refused() {} }";
     findings.check_source("crate", "file", source, true);
     findings.check_header("headers", "h", "// told\n#define DASHPOT_FALLS -18 /* said */\nint fine; // slope\n");
-    let long = "word ".repeat(41);
+    let long = "word ".repeat(LONGEST_SENTENCE + 1);
     findings.check_document("page", &format!("# {long}\n\n| a |\n|---|\n| {long} |\n\n- {long}\n\n```\n{long}\n```\n"));
     let count = |part: &str, rule| findings.0.get(&(part.to_owned(), rule)).map_or(0, Vec::len);
-    assert_eq!(count("crate", NAMES), 4, "{:?}", findings.0);
+    // The names: told, force_by_x, usual, beside_it, is_held. The keys: hidden, price, told, late.
+    assert_eq!((count("crate", NAMES), count("crate", KEYS)), (5, 4), "{:?}", findings.0);
     assert_eq!(count("crate", OPENINGS), 2);
     assert_eq!(count("headers", NAMES), 1);
-    assert_eq!((count("page", SENTENCES), count("page", SURPLUS)), (1, 41 - MEAN_WORDS));
+    assert_eq!((count("page", SENTENCES), count("page", SURPLUS)), (1, LONGEST_SENTENCE + 1 - MEAN_WORDS));
 }
 
 #[test]
@@ -465,7 +509,9 @@ fn names_and_sentences_are_taken_apart() {
     assert_eq!(words("HTTPRefusedBy2"), ["http", "refused", "by2"]);
     assert_eq!(replaced("is_off"), None);
     assert_eq!((replaced("at"), says_nothing("Off"), says_nothing("at_rest")), (None, Some("off"), None));
-    assert_eq!(sentences("It is 0.5 mm, e.g. here. Then (so it is.) `x` ends! no"), [6, 4, 3]);
+    let parts = sentences("It is 0.5 mm, e.g. here. Then (so it is.) `x` ends! no");
+    let lengths: Vec<usize> = parts.iter().map(|(length, _)| *length).collect();
+    assert_eq!((lengths, parts[1].1.as_str()), (vec![6, 4, 3], "Then (so it is.) "));
     let (lengths, _) = prose("One [two](three). Five `six seven`.\n\n1. Eight nine\n2. Ten.\n");
     assert_eq!(lengths, [2, 2, 2, 1]);
 }

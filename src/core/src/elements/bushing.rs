@@ -24,7 +24,7 @@ pub struct Bushing {
     /// One over the deflection d_h at which hardening doubles the force, 1/m.
     per_length: f64,
     /// Stiffness of the first relaxing element over that of the series spring, k_1/k_s.
-    pub(crate) share: f64,
+    pub(crate) ratio: f64,
     /// One over the relaxation time τ of the first element, 1/s.
     per_time: f64,
     /// One over the deflection d_f in which filler friction relaxes the first element, 1/m.
@@ -32,9 +32,9 @@ pub struct Bushing {
     /// Deflection L at which the rubber meets its stop, m.
     stop: f64,
     /// Additional stiffness of the stop over that of the series spring, k_e/k_s.
-    pub(crate) stop_share: f64,
+    pub(crate) stop_ratio: f64,
     /// Stiffness of the slowly relaxing element over that of the series spring, k_2/k_s.
-    pub(crate) slow_share: f64,
+    pub(crate) slow_ratio: f64,
     /// One over the relaxation time τ_2 of the slow element, 1/s.
     per_slow_time: f64,
 }
@@ -109,24 +109,24 @@ impl Describe for Bushing {
 impl Prepare for Bushing {
     const OFF: Self = Bushing {
         per_length: 0.0,
-        share: 0.0,
+        ratio: 0.0,
         per_time: 1.0,
         per_slip: 0.0,
         stop: 1.0,
-        stop_share: 0.0,
-        slow_share: 0.0,
+        stop_ratio: 0.0,
+        slow_ratio: 0.0,
         per_slow_time: 1.0,
     };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
         Ok(Bushing {
             per_length: 1.0 / p.number(own!("bushing_hardening")),
-            share: p.number(own!("bushing_loss_stiffness")),
+            ratio: p.number(own!("bushing_loss_stiffness")),
             per_time: 1.0 / p.number(own!("bushing_loss_time")),
             per_slip: 1.0 / p.number(own!("bushing_slip")),
             stop: p.number(own!("bushing_stop")),
-            stop_share: p.number(own!("bushing_stop_stiffness")),
-            slow_share: p.number(own!("bushing_slow_stiffness")),
+            stop_ratio: p.number(own!("bushing_stop_stiffness")),
+            slow_ratio: p.number(own!("bushing_slow_stiffness")),
             per_slow_time: 1.0 / p.number(own!("bushing_slow_time")),
         })
     }
@@ -172,7 +172,7 @@ impl Bushing {
     /// Computes (k_1 z + k_2 y)/k_s, m: the force of the relaxing elements over the series stiffness.
     #[inline(always)]
     pub(crate) fn relaxing<R: Real>(&self, [z, y]: [R; 2]) -> R {
-        z * self.share + y * self.slow_share
+        z * self.ratio + y * self.slow_ratio
     }
 
     /// Returns the ratio of the rubber's stiffness at its largest deflection to that at zero deflection.
@@ -197,14 +197,14 @@ impl Bushing {
         let deflection = force * k.inverse();
         let square = (deflection * self.per_length) * (deflection * self.per_length);
         let (mut hard, mut factor) = (force * square.plus(1.0), (square * 3.0).plus(1.0));
-        if self.stop_share > 0.0 {
+        if self.stop_ratio > 0.0 {
             // The form (r − 1) = (r⁴ − 1)/((r + 1)(r² + 1)) with r = (1 + x⁴)^¼ avoids cancellation.
             let x = deflection * (1.0 / self.stop);
             let cube = x * x * x.abs();
             let root = (x.abs() * cube).plus(1.0).sqrt();
             let r = root.sqrt();
-            hard = hard + k * x * cube * (r.plus(1.0) * root.plus(1.0)).inverse() * (self.stop * self.stop_share);
-            factor = factor + cube * (r * root).inverse() * self.stop_share;
+            hard = hard + k * x * cube * (r.plus(1.0) * root.plus(1.0)).inverse() * (self.stop * self.stop_ratio);
+            factor = factor + cube * (r * root).inverse() * self.stop_ratio;
         }
         (hard, stiffness * factor)
     }

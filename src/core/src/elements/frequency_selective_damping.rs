@@ -154,7 +154,7 @@ impl FrequencySelectiveDamping {
 
     /// Computes the filled fraction z in the steady state under a constant hydraulic force, N, for the bypass form.
     #[inline(always)]
-    pub(crate) fn settles(&self, force: f64) -> f64 {
+    pub(crate) fn equilibrium(&self, force: f64) -> f64 {
         let grows = self.grows(force);
         grows / self.falls(force, grows, force)
     }
@@ -221,7 +221,7 @@ mod tests {
     fn a_chamber_fills_under_any_lasting_force_and_empties_at_rest() {
         let bypass = FrequencySelectiveDamping { per_force: 1.0 / 300.0, per_time: 20.0, ..Prepare::OFF };
         for force in [-2000.0, -300.0, 300.0, 2000.0] {
-            let z = bypass.settles(force);
+            let z = bypass.equilibrium(force);
             assert!(z * force.signum() > 0.95, "{force}: {z}");
             // An implicit step of 1e9 s ends at the steady state, where the state derivative is 0.
             assert!((bypass.filled(force, 0.0, 1e9) - z).abs() < 1e-6);
@@ -231,7 +231,7 @@ mod tests {
             // The chamber of the other stroke empties faster than a chamber fills.
             assert!(bypass.fills(force, -z).abs() > 5.0 * bypass.fills(force, 0.0).abs());
         }
-        assert_eq!(bypass.settles(0.0), 0.0);
+        assert_eq!(bypass.equilibrium(0.0), 0.0);
         assert!(bypass.fills(0.0, 1.0) < -100.0);
     }
 }

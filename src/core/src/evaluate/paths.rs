@@ -337,7 +337,7 @@ pub(crate) fn equilibrium(e: &Paths<impl Tables>, x: f64, v: f64, temperature: f
         let flow = at(&states, solve(&states, e.has_cavitation()));
         let flow_force = flow.force.value;
         held[place::SELECTIVE] = if e.has_passage() {
-            e.frequency_selective_damping.settles(flow_force)
+            e.frequency_selective_damping.equilibrium(flow_force)
         } else {
             flow.selective_target.value
         };

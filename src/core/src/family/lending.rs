@@ -97,7 +97,7 @@ impl ValveHysteresis {
     /// the FV curve.
     #[inline(always)]
     pub(crate) fn renewed<'a>(&self, numbers: &View<ValveHysteresis>) -> ValveHysteresis<Lent<'a>> {
-        let valve: ValveHysteresis<Lent<'_>> = ValveHysteresis::of(numbers, Passage::From(0.0));
+        let valve: ValveHysteresis<Lent<'_>> = ValveHysteresis::from_view(numbers, Passage::From(0.0));
         valve.with_conductance(Passage::From(valve.tabulated_from()))
     }
 }

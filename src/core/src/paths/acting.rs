@@ -20,7 +20,7 @@ pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
 
 /// Nonlinearity that the elements of the force paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Bends {
+pub(crate) enum Nonlinearity {
     /// Little: no element besides the FV curve and the series compliance, or a fade of the FV curve. Also a bypass flow
     /// or a lagging valve in the opening form, which smooths its own knee.
     Little,
@@ -38,20 +38,20 @@ pub(crate) enum Bends {
 }
 
 /// Returns the nonlinearity of an element set.
-pub(crate) fn is_nonlinear(e: &Paths<impl Tables>) -> Bends {
+pub(crate) fn nonlinearity(e: &Paths<impl Tables>) -> Nonlinearity {
     let turns = !e.aeration.is_even() || !e.oil_compressibility.is_even();
     let acting = e.acting() & !(SERIES | FACTORS | SLOW_BUSHING | LENGTH);
     match acting {
-        _ if e.carries_whole() => Bends::Whole,
-        _ if turns => Bends::Turning,
+        _ if e.carries_whole() => Nonlinearity::Whole,
+        _ if turns => Nonlinearity::Turning,
         _ if acting & COLUMN != 0 && acting & !(COLUMN | AIR | CAVITATION) != 0 && acting & CAVITATION == 0 => {
-            Bends::Turning
+            Nonlinearity::Turning
         }
-        VALVE if e.valve_hysteresis.holds_force() => Bends::Knee,
-        0 | GROOVE | PASSAGE | VALVE => Bends::Little,
-        BUSHING => Bends::Smoothly,
-        FREE_PLAY | COLUMN | POSITION | SELECTIVE => Bends::Knee,
-        _ => Bends::Several,
+        VALVE if e.valve_hysteresis.holds_force() => Nonlinearity::Knee,
+        0 | GROOVE | PASSAGE | VALVE => Nonlinearity::Little,
+        BUSHING => Nonlinearity::Smoothly,
+        FREE_PLAY | COLUMN | POSITION | SELECTIVE => Nonlinearity::Knee,
+        _ => Nonlinearity::Several,
     }
 }
 

@@ -229,7 +229,7 @@ impl<T: Tables> Paths<T> {
     /// Returns whether a part of the bushing relaxes slowly.
     #[inline(always)]
     pub(crate) fn has_slow_bushing(&self) -> bool {
-        self.has_bushing() && self.bushing.slow_share > 0.0
+        self.has_bushing() && self.bushing.slow_ratio > 0.0
     }
 
     #[inline(always)]

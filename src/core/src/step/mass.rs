@@ -232,7 +232,7 @@ impl<T: Tables, P: Primary> Substep<'_, T, P> {
             let halved = round >= PATIENCE && round % 2 == 0 && low.is_finite() && high.is_finite();
             if !inside || halved {
                 balance.u = if low.is_finite() && high.is_finite() { 0.5 * (low + high) } else { u };
-                balance.fd = self.primary.at(self.elements, balance.u);
+                balance.fd = self.primary.evaluate(self.elements, balance.u);
             }
         }
     }

@@ -223,7 +223,7 @@ impl Carried {
         let start = [self.states[place::X], self.states[place::U]];
         let on_mass = stage.on_mass();
         if let Some(on_mass) = on_mass {
-            seed.drag += on_mass.force_by_start(start, &self.on_mass);
+            seed.drag += on_mass.force_along(start, &self.on_mass);
         }
         let after = stage.along(&seed);
         if stage.last {
@@ -350,7 +350,7 @@ pub(super) struct Through {
 }
 
 /// Clamps a step length, s, to the range of the step through the force paths.
-pub(super) fn held(dt: f64) -> f64 {
+pub(super) fn clamp_step(dt: f64) -> f64 {
     dt.clamp(SHORTEST, LONGEST)
 }
 
@@ -639,10 +639,10 @@ impl<T: Tables> Substep<'_, T> {
             }
             stage.shuts = last && balance.states[place::VOID] < SHUT;
             if follow.wants_derivatives() {
-                stage.look_at_answer(self.elements, self.side);
+                stage.evaluate_at_solution(self.elements, self.side);
             }
             if follow.follows() {
-                stage.look_at_start(self.elements);
+                stage.evaluate_at_start(self.elements);
             }
             follow.stage(&stage);
             (oil_velocity, driven, raised) = (stage.oil_velocity, point.v, stage.raised);

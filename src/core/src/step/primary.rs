@@ -13,7 +13,7 @@ pub(super) trait Primary: Copy {
     fn is_plain(&self) -> bool;
 
     /// Returns force, N, and derivative, N s/m, at the velocity `v`, m/s.
-    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value;
+    fn evaluate(&self, e: &Elements<impl Tables>, v: f64) -> Value;
 
     /// Returns the velocity u, m/s, with a u + F(u) = r for this force F, with force and derivative there.
     fn solve(&self, e: &Elements<impl Tables>, a: f64, r: f64) -> (f64, Value);
@@ -39,7 +39,7 @@ impl Primary for Plain {
     }
 
     #[inline(always)]
-    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
+    fn evaluate(&self, e: &Elements<impl Tables>, v: f64) -> Value {
         e.paths.fv_curve.evaluate(v)
     }
 
@@ -83,7 +83,7 @@ impl Primary for Faded {
     }
 
     #[inline(always)]
-    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
+    fn evaluate(&self, e: &Elements<impl Tables>, v: f64) -> Value {
         self.of(e.paths.fv_curve.evaluate(v))
     }
 
@@ -111,7 +111,7 @@ impl Primary for Any {
     }
 
     #[inline(always)]
-    fn at(&self, e: &Elements<impl Tables>, v: f64) -> Value {
+    fn evaluate(&self, e: &Elements<impl Tables>, v: f64) -> Value {
         let curve = e.paths.fv_curve.evaluate(v);
         self.0.map_or(curve, |faded| faded.of(curve))
     }

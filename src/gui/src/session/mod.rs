@@ -357,8 +357,8 @@ impl Session {
         Some(model.dampers(model.params(), self.own_settings))
     }
 
-    /// Returns whether the errors and forces at hand are provisional: those of one cycle of each test, or those of another model, until the
-    /// whole records are simulated.
+    /// Returns whether the errors and forces at hand are provisional: those of one cycle of each test, or of another model.
+    /// They are provisional until the whole records are simulated.
     pub fn are_errors_provisional(&self) -> bool {
         self.simulated.as_ref().is_some_and(|of| of.quick || self.dampers().is_none_or(|now| now != of.dampers))
     }

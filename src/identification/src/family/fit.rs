@@ -159,7 +159,7 @@ pub fn fit_family(
     for of in &sorted {
         check_elements(options).and_then(|()| check_motion(&segments(&of.records))).map_err(|why| fail(of, why))?;
     }
-    let about = About::of(records);
+    let about = About::from_records(records);
     let settings: Vec<SettingTests> =
         sorted.iter().map(|of| SettingTests { value: of.value, tests: samples::tests(&of.records) }).collect();
     let mut found: Vec<StructureSearch> = Vec::new();
@@ -193,11 +193,11 @@ pub fn fit_family(
     let mut estimates = estimates(&best.hypothesis, &best.refit, &settings);
     mix_alternatives(&mut estimates, &others, &settings);
     if has_compliance(&damper.params) && can_distinguish_delay(&all) {
-        hold_too(&mut estimates, &with_open_measurement(&best, &settings, &about.given));
+        hold_too(&mut estimates, &with_open_measurement(&best, &settings, &about.stated));
     }
     let mut measured = measured(&joint, &joint_refit, &all);
     measured.sort_by_key(|m| m.name);
-    let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.given)).collect();
+    let measured: Vec<Measured> = measured.into_iter().map(|m| m.with_stated(&about.stated)).collect();
     let dependences = named_dependences(&best, &settings);
     let mut notes = notes(&damper, &estimates, &axis);
     notes.extend(notes_of_priors(&options.priors, &estimates, &axis));

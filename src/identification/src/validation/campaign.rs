@@ -134,7 +134,7 @@ impl Validation {
 /// [`ValidationError`] for the first test that cannot be validated, or if there are no tests.
 pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError> {
     compared.iter().try_for_each(Compared::check)?;
-    let tests: Vec<TestValidation> = compared.iter().map(TestValidation::of).collect();
+    let tests: Vec<TestValidation> = compared.iter().map(TestValidation::from_compared).collect();
     let summary = |wanted: &dyn Fn(&TestValidation) -> bool| {
         let errors: Vec<Errors> = tests.iter().filter(|test| wanted(test)).map(|test| test.errors).collect();
         Errors::mean(&errors).map(|mean| Summary { tests: errors.len(), errors: mean })
@@ -143,7 +143,7 @@ pub fn validate(compared: &[Compared<'_>]) -> Result<Validation, ValidationError
         overall: summary(&|_| true).ok_or(ValidationError::NoTests)?,
         used_in_fit: summary(&|test| test.used_in_fit),
         left_out: summary(&|test| !test.used_in_fit),
-        matrix: ErrorMatrix::of(&tests),
+        matrix: ErrorMatrix::from_tests(&tests),
         region_boundary_m_s: REGION_BOUNDARY,
         settings: Vec::new(),
         changing: None,

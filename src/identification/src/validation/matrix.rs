@@ -70,7 +70,7 @@ pub struct ErrorMatrix {
 
 impl ErrorMatrix {
     /// Groups the validated tests.
-    pub(super) fn of(tests: &[TestValidation]) -> Self {
+    pub(super) fn from_tests(tests: &[TestValidation]) -> Self {
         let (slow, rest): (Vec<_>, Vec<_>) =
             tests.iter().partition(|test| test.cycles > 0 && test.peak_velocity_m_s < SLOW_PEAK_VELOCITY);
         let (periodic, not_periodic): (Vec<_>, Vec<_>) = rest.into_iter().partition(|test| test.cycles > 0);
@@ -204,7 +204,7 @@ mod tests {
             test(30.0, 131.0, 9.0, 400.0),
             test(25.0, 530.0, 11.0, 1500.0),
         ];
-        let matrix = ErrorMatrix::of(&tests);
+        let matrix = ErrorMatrix::from_tests(&tests);
         let amplitudes: Vec<_> = matrix.by_amplitude.iter().map(|row| (row.label.as_str(), row.tests)).collect();
         let expected =
             [("49.6 mm amplitude", 2), ("30 mm amplitude", 1), ("25 mm amplitude", 1), ("1 mm amplitude", 2)];
@@ -217,7 +217,7 @@ mod tests {
 
     #[test]
     fn a_row_is_in_percent_of_its_own_largest_force() {
-        let matrix = ErrorMatrix::of(&[test(50.0, 1571.0, 200.0, 3466.0), test(50.0, 524.0, 96.2082, 1500.0)]);
+        let matrix = ErrorMatrix::from_tests(&[test(50.0, 1571.0, 200.0, 3466.0), test(50.0, 524.0, 96.2082, 1500.0)]);
         let row = &matrix.by_amplitude[0];
         assert!((row.errors.model.mean_error_n - 148.1041).abs() < 1e-9);
         assert!((row.errors.model.error_percent - 4.2731).abs() < 1e-4);
@@ -228,7 +228,7 @@ mod tests {
     fn slow_and_aperiodic_tests_stand_apart() {
         let mut road = test(20.0, 800.0, 50.0, 2000.0);
         road.cycles = 0;
-        let matrix = ErrorMatrix::of(&[test(10.0, 2.58, 10.0, 140.0), test(10.0, 52.0, 20.0, 300.0), road]);
+        let matrix = ErrorMatrix::from_tests(&[test(10.0, 2.58, 10.0, 140.0), test(10.0, 52.0, 20.0, 300.0), road]);
         assert_eq!(matrix.slow.unwrap().test_names, ["10/2.58"]);
         assert_eq!(matrix.not_periodic.unwrap().tests, 1);
         assert_eq!(matrix.by_amplitude.len(), 1);

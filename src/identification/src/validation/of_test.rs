@@ -47,7 +47,7 @@ pub struct PeakForce {
 
 impl TestValidation {
     /// Computes all figures of a checked test.
-    pub(super) fn of(compared: &Compared<'_>) -> Self {
+    pub(super) fn from_compared(compared: &Compared<'_>) -> Self {
         let record = compared.record;
         let max_force_n = record.force.iter().fold(0.0_f64, |largest, force| largest.max(force.abs()));
         let deviation = |simulated| Deviation::of_test(simulated, &record.force, &record.velocity, max_force_n);

@@ -1,6 +1,6 @@
 //! Injected effect of air in the oil: large compliance at low pressure, small compliance at high pressure.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["entrained", "dissolving_foam"];
@@ -24,7 +24,7 @@ struct Aeration {
     settling_s: f64,
 }
 
-impl Hidden for Aeration {
+impl DamperEffect for Aeration {
     fn tolerances(&self) -> &[f64] {
         if self.form == 1 { &[1e-5] } else { &[] }
     }
@@ -63,7 +63,7 @@ impl Hidden for Aeration {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let draw = &mut recipe.draw;
     let rest_n = draw.ratio("rest_n", 120.0, 350.0);

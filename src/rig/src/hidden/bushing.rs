@@ -1,7 +1,7 @@
 //! Injected effect of a rubber mount instead of the linear series spring: the mount is soft, stiffens with deflection,
 //! and has losses.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Mount};
 
 const FORMS: &[&str] = &["friction_and_quintic", "two_relaxations_and_stop"];
@@ -33,7 +33,7 @@ impl Bushing {
     }
 }
 
-impl Hidden for Bushing {
+impl DamperEffect for Bushing {
     fn tolerances(&self) -> &[f64] {
         &self.tolerances
     }
@@ -69,7 +69,7 @@ impl Hidden for Bushing {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
     // A proportional change of a stiff series spring would be invisible. So the relative compliance grows with the

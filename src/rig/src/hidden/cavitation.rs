@@ -1,7 +1,7 @@
 //! Injected effect of cavitation: the pressure cannot fall below vapor pressure, so a void opens and limits the force.
 //! The force returns only after the void has closed.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["monotube_compression", "foot_valve_rebound"];
@@ -19,7 +19,7 @@ enum Cavitation {
     FootValve { share: f64, free_m_s: f64, knee_m_s: f64, edge_m: f64 },
 }
 
-impl Hidden for Cavitation {
+impl DamperEffect for Cavitation {
     fn tolerances(&self) -> &[f64] {
         match self {
             Self::Monotube { .. } => &[],
@@ -62,7 +62,7 @@ impl Hidden for Cavitation {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let strength = recipe.strength;
     let at_top = -recipe.neutral.valves.force_n(-1.5);

@@ -1,6 +1,6 @@
 //! Injected measurement error: the force channel lags the displacement and velocity channels.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["pure", "second_order_filter"];
@@ -19,7 +19,7 @@ impl ChannelDelay {
     }
 }
 
-impl Hidden for ChannelDelay {
+impl DamperEffect for ChannelDelay {
     fn tolerances(&self) -> &[f64] {
         // The states are the filtered force, N, and its rate, N/s.
         if self.form == 1 { &[1e-2, 1e1] } else { &[] }
@@ -51,7 +51,7 @@ impl Hidden for ChannelDelay {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     Box::new(ChannelDelay {
         form,

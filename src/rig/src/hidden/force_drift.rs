@@ -1,6 +1,6 @@
 //! Injected measurement error: the load cell's zero drifts over the campaign.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["linear", "warm_up"];
@@ -14,14 +14,14 @@ struct Drift {
     warm_up: f64,
 }
 
-impl Hidden for Drift {
+impl DamperEffect for Drift {
     fn cell_n(&self, force_n: f64, here: &Here, _states: &[f64]) -> f64 {
         let share = here.line.clock_s / self.campaign_s;
         force_n + self.drift_n * if self.form == 0 { share } else { 1.0 - libm::exp(-share / self.warm_up) }
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let campaign_s = recipe.campaign_s;
     let draw = &mut recipe.draw;

@@ -1,7 +1,7 @@
 //! Injected measurement error: the load cell's zero is wrong. A constant error is indistinguishable from gas preload,
 //! but a change at a re-zeroing is distinguishable.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["constant", "step_at_re_zeroing"];
@@ -12,13 +12,13 @@ struct Offset {
     at_s: f64,
 }
 
-impl Hidden for Offset {
+impl DamperEffect for Offset {
     fn cell_n(&self, force_n: f64, here: &Here, _states: &[f64]) -> f64 {
         force_n + if here.line.clock_s < self.at_s { self.before_n } else { self.after_n }
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let draw = &mut recipe.draw;
     let size_n = recipe.strength * draw.between("offset_n", 20.0, 50.0);

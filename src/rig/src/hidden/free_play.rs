@@ -1,6 +1,6 @@
 //! Injected effect of play in the series spring (the mount): a range of deflection without force.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 
 const FORMS: &[&str] = &["hard", "hertz"];
 
@@ -15,7 +15,7 @@ struct FreePlay {
     contact_m: f64,
 }
 
-impl Hidden for FreePlay {
+impl DamperEffect for FreePlay {
     fn gap(&self, deflection_m: f64) -> Option<(f64, f64)> {
         let depth = (deflection_m.abs() - self.half_m).max(0.0);
         let engaged = depth / (depth + self.engaging_m);
@@ -24,7 +24,7 @@ impl Hidden for FreePlay {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let half_m = recipe.strength * recipe.draw.ratio("half_play_m", 0.06e-3, 0.18e-3);
     let contact = recipe.draw.between("contact_share", 0.2, 0.8);

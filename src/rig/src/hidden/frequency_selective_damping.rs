@@ -1,7 +1,7 @@
 //! Injected effect of a bypass that closes during each stroke. The damper is soft in short, fast strokes and firm in
 //! long, slow strokes.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["filling_chamber", "cross_fade"];
@@ -18,7 +18,7 @@ struct FrequencySelective {
     reversal_m_s: f64,
 }
 
-impl Hidden for FrequencySelective {
+impl DamperEffect for FrequencySelective {
     fn tolerances(&self) -> &[f64] {
         match self.form {
             // The states are the filled fractions of the control chambers of rebound and compression.
@@ -60,7 +60,7 @@ impl Hidden for FrequencySelective {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let scale_n = recipe.neutral.valves.force_n(0.3);
     let draw = &mut recipe.draw;

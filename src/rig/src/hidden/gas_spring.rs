@@ -1,7 +1,7 @@
 //! Injected effect of the gas spring: the gas force increases as the rod moves in. The neutral damper has only a
 //! constant gas preload.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["van_der_waals", "heat_exchange"];
@@ -31,7 +31,7 @@ impl GasSpring {
     }
 }
 
-impl Hidden for GasSpring {
+impl DamperEffect for GasSpring {
     fn tolerances(&self) -> &[f64] {
         // The state is T / T_wall - 1, with the absolute temperatures T of the gas and T_wall of the wall.
         if self.form == 1 { &[1e-6] } else { &[] }
@@ -49,7 +49,7 @@ impl Hidden for GasSpring {
         states.fill(0.0);
     }
 
-    fn beside_n(&self, here: &Here, states: &[f64]) -> f64 {
+    fn parallel_force_n(&self, here: &Here, states: &[f64]) -> f64 {
         let volume = self.volume(here.line.displacement_m);
         let pressure = if self.form == 1 {
             (1.0 + states[0]) / volume
@@ -63,7 +63,7 @@ impl Hidden for GasSpring {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let draw = &mut recipe.draw;
     Box::new(GasSpring {

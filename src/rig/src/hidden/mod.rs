@@ -30,7 +30,7 @@ mod valve_hysteresis;
 
 use crate::RigError;
 use crate::draw::Draw;
-pub(crate) use crate::neutral::Hidden;
+pub(crate) use crate::neutral::DamperEffect;
 use crate::neutral::Neutral;
 
 /// Names of the effects that a diagnosis is expected to know.
@@ -77,13 +77,13 @@ pub const UNKNOWN_EFFECTS: [&str; 11] = [
 pub const NOTHING: &str = "nothing";
 
 /// An effect with drawn parameters, and the data that [`crate::Truth`] states about it.
-pub(crate) struct Drawn {
+pub(crate) struct RandomEffect {
     pub name: &'static str,
     pub form: &'static str,
     pub strength: f64,
     /// Names (with unit) and values of the drawn shape parameters.
     pub shapes: Vec<(String, f64)>,
-    pub effect: Box<dyn Hidden>,
+    pub effect: Box<dyn DamperEffect>,
 }
 
 /// Inputs for drawing an effect.
@@ -140,7 +140,7 @@ pub(crate) fn draw(
     seed: u64,
     neutral: &Neutral,
     campaign_s: f64,
-) -> Result<Drawn, RigError> {
+) -> Result<RandomEffect, RigError> {
     let (name, wanted) = split_name(text)?;
     let draw = Draw::new(seed, name);
     let mut recipe = Recipe { strength, neutral, campaign_s, draw, wanted, name, form: "", refused: None };
@@ -151,10 +151,10 @@ pub(crate) fn draw(
             problem: format!("'{}' is no form of {name}; it has: {}", wanted.unwrap_or_default(), forms.join(", ")),
         });
     }
-    Ok(Drawn { name, form: recipe.form, strength, shapes: recipe.draw.values, effect: hidden })
+    Ok(RandomEffect { name, form: recipe.form, strength, shapes: recipe.draw.values, effect: hidden })
 }
 
-fn build(recipe: &mut Recipe) -> Box<dyn Hidden> {
+fn build(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     match recipe.name {
         "gas_spring" => gas_spring::draw(recipe),
         "stribeck_friction" => stribeck_friction::draw(recipe),

@@ -1,7 +1,7 @@
 //! Injected effect of a force proportional to acceleration: mass between load cell and damper, or oil in a long
 //! passage.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["rig_mass", "fluid_inertance"];
@@ -14,8 +14,8 @@ enum MovingMass {
     Fluid { kg: f64, length_m: f64 },
 }
 
-impl Hidden for MovingMass {
-    fn beside_n(&self, here: &Here, _states: &[f64]) -> f64 {
+impl DamperEffect for MovingMass {
+    fn parallel_force_n(&self, here: &Here, _states: &[f64]) -> f64 {
         match self {
             Self::Rig { kg } => kg * here.line.acceleration_m_s2,
             Self::Fluid { .. } => 0.0,
@@ -30,7 +30,7 @@ impl Hidden for MovingMass {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let kg = recipe.strength * recipe.draw.between("mass_kg", 2.0, 5.0);
     Box::new(if form == 0 {

@@ -1,7 +1,7 @@
 //! Injected effect of compressibility: oil and tube deform under pressure, so a part of the displaced oil does not flow
 //! through the valves.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["rebound_chamber", "two_chambers"];
@@ -19,7 +19,7 @@ struct Compressibility {
     wall: f64,
 }
 
-impl Hidden for Compressibility {
+impl DamperEffect for Compressibility {
     fn compliance_m_n(&self, here: &Here, _states: &[f64]) -> f64 {
         let rebound = (1.0 - here.position_m / self.rebound_m).max(0.1);
         let space = if self.form == 0 {
@@ -35,7 +35,7 @@ impl Hidden for Compressibility {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let draw = &mut recipe.draw;
     Box::new(Compressibility {

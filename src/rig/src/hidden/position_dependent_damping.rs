@@ -1,7 +1,7 @@
 //! Injected effect of position-dependent damping: over a part of the stroke, oil flows past the piston through grooves
 //! in the tube.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["groove", "one_sided_groove", "bell"];
@@ -35,7 +35,7 @@ impl Groove {
     }
 }
 
-impl Hidden for Groove {
+impl DamperEffect for Groove {
     fn bypass_m_s(&self, here: &Here, _states: &[f64]) -> f64 {
         let force = here.oil_n / self.scale_n;
         // The flow follows the square-root law of an orifice, linearized below a fiftieth of the reference force
@@ -44,7 +44,7 @@ impl Hidden for Groove {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let scale_n = recipe.neutral.valves.force_n(0.5);
     let draw = &mut recipe.draw;

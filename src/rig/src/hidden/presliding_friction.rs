@@ -1,7 +1,7 @@
 //! Injected effect of presliding: friction reverses over a distance after each reversal of motion, because seal lips
 //! and guide bands deflect before they slide.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["elasto_plastic", "maxwell_slip"];
@@ -22,7 +22,7 @@ struct Presliding {
     tolerances: Vec<f64>,
 }
 
-impl Hidden for Presliding {
+impl DamperEffect for Presliding {
     fn tolerances(&self) -> &[f64] {
         &self.tolerances
     }
@@ -57,7 +57,7 @@ impl Hidden for Presliding {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

@@ -1,6 +1,6 @@
 //! Injected effect of side force on guide friction, in addition to the proportional term of the neutral damper.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["saturating", "two_bushes"];
@@ -14,7 +14,7 @@ enum SideFriction {
     TwoBushes { share: f64, overhang_m: f64, overlap_m: f64 },
 }
 
-impl Hidden for SideFriction {
+impl DamperEffect for SideFriction {
     fn friction_n(&self, here: &Here, _states: &[f64]) -> f64 {
         let side = here.line.side_force_n.abs();
         match self {
@@ -34,7 +34,7 @@ impl Hidden for SideFriction {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

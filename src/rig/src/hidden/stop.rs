@@ -1,6 +1,6 @@
 //! Common code of bump stop and rebound stop: compressed rubber, or an oil gap that closes.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["rubber", "hydraulic"];
@@ -34,7 +34,7 @@ impl Stop {
     }
 }
 
-impl Hidden for Stop {
+impl DamperEffect for Stop {
     fn tolerances(&self) -> &[f64] {
         // The state is the relaxed part of the Maxwell element's compression, m.
         if self.form == 0 { &[1e-7] } else { &[] }
@@ -52,7 +52,7 @@ impl Hidden for Stop {
         }
     }
 
-    fn beside_n(&self, here: &Here, states: &[f64]) -> f64 {
+    fn parallel_force_n(&self, here: &Here, states: &[f64]) -> f64 {
         let depth = self.depth(here);
         if depth == 0.0 {
             return 0.0;
@@ -73,7 +73,7 @@ impl Hidden for Stop {
     }
 }
 
-pub(super) fn draw(side: f64, recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(side: f64, recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

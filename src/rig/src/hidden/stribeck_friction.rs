@@ -1,6 +1,6 @@
 //! Injected effect of additional friction near standstill, which falls with velocity.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["hess_soom", "tustin"];
@@ -11,14 +11,14 @@ struct Stribeck {
     velocity_m_s: f64,
 }
 
-impl Hidden for Stribeck {
+impl DamperEffect for Stribeck {
     fn friction_n(&self, here: &Here, _states: &[f64]) -> f64 {
         let share = here.line.velocity_m_s.abs() / self.velocity_m_s;
         self.excess_n * if self.form == 0 { 1.0 / (1.0 + share * share) } else { libm::exp(-share) }
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let sliding = recipe.neutral.friction.sliding_n;
     Box::new(Stribeck {

@@ -1,7 +1,7 @@
 //! Injected effect of temperature fade: oil becomes thinner with temperature. The laminar part of the force is proportional to the
 //! viscosity, the other part to the density.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["vogel", "walther"];
@@ -39,7 +39,7 @@ impl Fade {
     }
 }
 
-impl Hidden for Fade {
+impl DamperEffect for Fade {
     fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
         // The strength is an exponent: twice the strength doubles the effect of temperature on the logarithm of the
         // viscosity.
@@ -53,7 +53,7 @@ impl Hidden for Fade {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let at_1_m_s = recipe.neutral.valves.force_n(1.0);
     let draw = &mut recipe.draw;

@@ -1,6 +1,6 @@
 //! Injected effect of valve hysteresis: the blow-off valve opens and closes with a delay.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest, ValveLaw};
 
 const FORMS: &[&str] = &["spool", "opening_and_closing_pressure"];
@@ -23,7 +23,7 @@ struct ValveHysteresis {
     tolerances: Vec<f64>,
 }
 
-impl Hidden for ValveHysteresis {
+impl DamperEffect for ValveHysteresis {
     fn tolerances(&self) -> &[f64] {
         &self.tolerances
     }
@@ -67,7 +67,7 @@ impl Hidden for ValveHysteresis {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let strength = recipe.strength;
     let at_knee = recipe.neutral.valves.force_n(0.1);

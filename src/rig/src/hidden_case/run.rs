@@ -11,7 +11,7 @@ use crate::campaign::check;
 use crate::draw::Draw;
 use crate::drive::Drive;
 use crate::heat::{AIR_C, Heat, Temperatures};
-use crate::hidden::{self, Drawn, Hidden};
+use crate::hidden::{self, DamperEffect, RandomEffect};
 use crate::neutral::{Line, Neutral, OWN, Rest, System};
 use crate::sensors::Sensors;
 use crate::solver::Integrator;
@@ -80,14 +80,14 @@ impl InjectedCase {
         for (name, strength) in &self.effects {
             check_strength(name, *strength)?;
             let effect = hidden::draw(name, *strength, seed, &neutral, campaign_s)?;
-            if drawn.iter().any(|other: &Drawn| other.name == effect.name) {
+            if drawn.iter().any(|other: &RandomEffect| other.name == effect.name) {
                 return Err(RigError::Option { option: "hide", problem: format!("'{}' is listed twice", effect.name) });
             }
             drawn.push(effect);
         }
         let truth = truth(seed, &drawn, draw.values);
         // An effect of strength 0 is omitted, so that the records equal those of the neutral damper bit for bit.
-        let hidden: Vec<Box<dyn Hidden>> =
+        let hidden: Vec<Box<dyn DamperEffect>> =
             drawn.into_iter().filter(|effect| effect.strength > 0.0).map(|drawn| drawn.effect).collect();
 
         let rig = Rig { neutral: &neutral, heat: &heat, hidden: &hidden, options: &self.options };
@@ -114,7 +114,7 @@ fn check_strength(name: &str, strength: f64) -> Result<(), RigError> {
     Err(RigError::Option { option: "hide", problem: format!("strength {number} of '{name}'; give 0 to {STRONGEST}") })
 }
 
-fn truth(seed: u64, drawn: &[Drawn], damper: Vec<(String, f64)>) -> Truth {
+fn truth(seed: u64, drawn: &[RandomEffect], damper: Vec<(String, f64)>) -> Truth {
     // If a name is drawn several times, such as the fraction of each element, a number is appended to the name.
     let named = |drawn: &[(String, f64)]| {
         let mut named = BTreeMap::new();
@@ -182,7 +182,7 @@ fn schedule<'a>(matrix: &'a Matrix, options: &Options) -> Vec<Scheduled<'a>> {
 struct Rig<'a> {
     neutral: &'a Neutral,
     heat: &'a Heat,
-    hidden: &'a [Box<dyn Hidden>],
+    hidden: &'a [Box<dyn DamperEffect>],
     options: &'a Options,
 }
 

@@ -5,7 +5,7 @@ use super::{Mount, ValveLaw};
 
 /// An injected effect. The default methods do not change the neutral damper. An effect overrides the methods for the
 /// quantities that it changes.
-pub(crate) trait Hidden: Send + Sync {
+pub(crate) trait DamperEffect: Send + Sync {
     /// Returns the error tolerance of each state per step, in the unit of the state.
     fn tolerances(&self) -> &[f64] {
         &[]
@@ -29,7 +29,7 @@ pub(crate) trait Hidden: Send + Sync {
         None
     }
     /// Returns an additional force between moving end and ground, in parallel with the damper, N.
-    fn beside_n(&self, _here: &Here, _states: &[f64]) -> f64 {
+    fn parallel_force_n(&self, _here: &Here, _states: &[f64]) -> f64 {
         0.0
     }
     /// Returns the deflection of the series spring beyond its play, m, and the engaged fraction, 0..1, of the series

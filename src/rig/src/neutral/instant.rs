@@ -28,7 +28,7 @@ pub(crate) struct Here {
     pub deflection_m_s: f64,
     /// Force of the oil on the mass, N.
     pub oil_n: f64,
-    /// Force on the rod at the moving end, N. It is zero in the methods of [`super::Hidden`] for mount, friction and
+    /// Force on the rod at the moving end, N. It is zero in the methods of [`super::DamperEffect`] for mount, friction and
     /// parallel forces, because it is computed from their results.
     pub rod_n: f64,
 }

@@ -10,7 +10,7 @@ mod instant;
 mod motion;
 mod valve_law;
 
-pub(crate) use hidden::Hidden;
+pub(crate) use hidden::DamperEffect;
 pub(crate) use instant::{Here, Line, Rest};
 pub(crate) use motion::{OWN, System};
 pub(crate) use valve_law::ValveLaw;

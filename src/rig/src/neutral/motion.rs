@@ -7,7 +7,7 @@
 use std::cell::RefCell;
 
 use super::Neutral;
-use super::hidden::Hidden;
+use super::hidden::DamperEffect;
 use super::instant::{Here, Line, Rest};
 use crate::solver::Tolerance;
 
@@ -23,7 +23,7 @@ pub(crate) const OWN: usize = 3;
 /// The damper and its injected effects, as a system of `N` states.
 pub(crate) struct System<'a, const N: usize> {
     pub neutral: &'a Neutral,
-    pub effects: &'a [Box<dyn Hidden>],
+    pub effects: &'a [Box<dyn DamperEffect>],
     /// Index of the first state of each injected effect.
     pub first: Vec<usize>,
     /// Oil temperature, °C. The caller updates it after each sample; it is constant within a sample interval.
@@ -36,7 +36,7 @@ impl<const N: usize> System<'_, N> {
         &state[first..first + self.effects[index].tolerances().len()]
     }
 
-    fn each<'s>(&'s self, state: &'s [f64; N]) -> impl Iterator<Item = (&'s dyn Hidden, &'s [f64])> {
+    fn each<'s>(&'s self, state: &'s [f64; N]) -> impl Iterator<Item = (&'s dyn DamperEffect, &'s [f64])> {
         self.effects.iter().enumerate().map(|(index, hidden)| (hidden.as_ref(), self.states(index, state)))
     }
 
@@ -81,7 +81,7 @@ impl<const N: usize> System<'_, N> {
             rod_n: 0.0,
         };
         let mount = self.mount_n(&here, state);
-        let (friction, beside) = self.beside_n(&here, state);
+        let (friction, beside) = self.parallel_force_n(&here, state);
         here.rod_n = mount + friction + beside;
         (here, mount)
     }
@@ -104,7 +104,7 @@ impl<const N: usize> System<'_, N> {
     }
 
     /// Computes the friction, and the sum of the other forces in parallel with the damper, N.
-    fn beside_n(&self, here: &Here, state: &[f64; N]) -> (f64, f64) {
+    fn parallel_force_n(&self, here: &Here, state: &[f64; N]) -> (f64, f64) {
         let friction = &self.neutral.friction;
         let v = here.line.velocity_m_s;
         let mut level = friction.sliding_n + friction.side_force_ratio * here.line.side_force_n.abs();
@@ -113,7 +113,7 @@ impl<const N: usize> System<'_, N> {
         for (hidden, own) in self.each(state) {
             level += hidden.friction_n(here, own);
             direction = direction.or(hidden.friction_direction(here, own));
-            beside += hidden.beside_n(here, own);
+            beside += hidden.parallel_force_n(here, own);
         }
         let direction = direction.unwrap_or(v / libm::hypot(v, friction.smooth_m_s));
         (level * direction, beside)
@@ -165,7 +165,7 @@ impl<const N: usize> System<'_, N> {
     /// Computes the power that valves and friction dissipate in the damper, W.
     pub fn heat_w(&self, line: &Line, state: &[f64; N]) -> f64 {
         let (here, _) = self.here(line, state);
-        let (friction, _) = self.beside_n(&here, state);
+        let (friction, _) = self.parallel_force_n(&here, state);
         (here.oil_n * self.flow_m_s(&here, state) + friction * line.velocity_m_s).max(0.0)
     }
 }

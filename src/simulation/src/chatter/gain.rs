@@ -36,7 +36,7 @@ pub(super) struct Sine {
 }
 
 impl Sine {
-    pub(super) fn at(&self, time: f64) -> Input {
+    pub(super) fn input_at(&self, time: f64) -> Input {
         let phase = self.omega * time;
         let Situation { place, side_force, temperature } = self.situation;
         let motion = Input::motion(place + self.amplitude * libm::sin(phase), self.speed * libm::cos(phase));
@@ -70,7 +70,7 @@ pub(super) fn largest(model: &Model, situation: Situation, host: Host) -> Larges
     let at_rest = step(model, &model.steady_state(&rest), &rest, host.step).1;
     let mut most = Largest { gain: gain(&at_rest), velocity: 0.0, output: at_rest, situation };
     for sine in motions(situation, host) {
-        let input = |k: usize| sine.at(host.step * k as f64);
+        let input = |k: usize| sine.input_at(host.step * k as f64);
         let mut state = model.steady_state(&rest);
         let steps = (1.25 * std::f64::consts::TAU / (sine.omega * host.step)) as usize;
         for k in 1..=steps.min(STEPS) {

@@ -120,7 +120,7 @@ pub fn softened(params: &Params, host: Host) -> Result<Option<Softened>, Fault> 
     for sine in motions(compared, host) {
         let omega = sine.omega;
         let dt = FINE.min(0.01 / omega).max(0.25 * std::f64::consts::TAU / (omega * STEPS as f64));
-        let input = |k: usize| sine.at(dt * k as f64);
+        let input = |k: usize| sine.input_at(dt * k as f64);
         let (mut a, mut b) = (before.steady_state(&input(0)), after.steady_state(&input(0)));
         for k in 1..=(1.5 * std::f64::consts::TAU / (omega * dt)) as usize {
             let ((next_a, from), (next_b, to)) = (step(&before, &a, &input(k), dt), step(&after, &b, &input(k), dt));

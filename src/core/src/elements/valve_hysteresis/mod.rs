@@ -60,7 +60,7 @@ enum Form {
 
 /// Force behind the valve and state of the valve, as numbers that may carry derivatives.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Late<R> {
+pub(crate) struct ValveResponse<R> {
     /// Force F_h behind the lagging valve, N.
     pub force: R,
     /// Opening y in the opening form. In the play and spool forms, the force p, N, whose steady position the valve has.
@@ -165,7 +165,7 @@ impl Prepare for ValveHysteresis {
     };
 
     fn prepare(p: &View<Self>) -> Result<Self, Fault> {
-        Ok(ValveHysteresis::of(p, Conductance::UNSET))
+        Ok(ValveHysteresis::from_view(p, Conductance::UNSET))
     }
 
     fn check(_: &View<Self>) -> Result<(), Fault> {
@@ -176,7 +176,7 @@ impl Prepare for ValveHysteresis {
 
 impl<T: Tables> ValveHysteresis<T> {
     /// Makes the valve from the parameters `p`, with the given conductance of its passage.
-    pub(crate) fn of(p: &View<ValveHysteresis>, conductance: T::Conductance) -> Self {
+    pub(crate) fn from_view(p: &View<ValveHysteresis>, conductance: T::Conductance) -> Self {
         let form = match p.number(own!("valve_form")) {
             1.0 => Form::Play,
             2.0 => Form::Spool,
@@ -382,11 +382,11 @@ impl<T: Tables> ValveHysteresis<T> {
         known: f64,
         g: f64,
         raised: &Cell<f64>,
-    ) -> Late<Dual<4>> {
+    ) -> ValveResponse<Dual<4>> {
         let (before, from) = (Dual::<4>::along(force, 0), Dual::along(known, 1));
         if self.form == Form::Opening {
             let stands = self.opened(before, from, g);
-            return Late { force: self.at_opening(before, stands), stands, read: [0.0; 2] };
+            return ValveResponse { force: self.at_opening(before, stands), stands, read: [0.0; 2] };
         }
         let (late, now) = self.stage_by_force(curve, force, known, g, raised.get());
         raised.set(now);
@@ -404,10 +404,10 @@ impl<T: Tables> ValveHysteresis<T> {
         known: f64,
         g: f64,
         raised: f64,
-    ) -> (Late<Dual<4>>, f64) {
+    ) -> (ValveResponse<Dual<4>>, f64) {
         let (before, from) = (Dual::<4>::along(force, 0), Dual::along(known, 1));
         if force.abs() < NOTHING {
-            return (Late { force: before, stands: self.follows(before, from, g), read: [0.0; 2] }, raised);
+            return (ValveResponse { force: before, stands: self.follows(before, from, g), read: [0.0; 2] }, raised);
         }
         let stroke = if force < 0.0 { -1.0 } else { 1.0 };
         let steady = self.conducts(curve, force * stroke, stroke);
@@ -453,7 +453,7 @@ impl<T: Tables> ValveHysteresis<T> {
                 by_now * now_by * per,
             ];
             let stands = derivatives.map(|s| p.derivative(0) * s);
-            let late = Late {
+            let late = ValveResponse {
                 force: Dual::new(found + on, derivatives),
                 stands: Dual::new(
                     p.value + p.derivative(0) * on,

@@ -83,7 +83,7 @@ impl MassForces {
     /// Computes the derivatives of end states and forces with respect to displacement and velocity of the mass at the
     /// start of the substep.
     #[inline(always)]
-    pub(super) fn look_at_start(&mut self, elements: &Elements<impl Tables>, from: &MassStart, end: f64) {
+    pub(super) fn evaluate_at_start(&mut self, elements: &Elements<impl Tables>, from: &MassStart, end: f64) {
         let [x0, u0] = from.mass;
         self.by_start =
             from.propagate(elements, [Dual::along(x0, 0), Dual::along(u0, 1), Dual::constant(end)], Dual::constant);
@@ -117,7 +117,7 @@ impl MassForces {
     /// Returns the derivative of the force in one direction, in which initial displacement and velocity (`start`) and
     /// the initial `states` have these derivatives. The final displacement of the mass is fixed.
     #[inline(always)]
-    pub(super) fn force_by_start(&self, start: [f64; 2], states: &States) -> f64 {
+    pub(super) fn force_along(&self, start: [f64; 2], states: &States) -> f64 {
         self.along(1, start, states).into_iter().sum()
     }
 

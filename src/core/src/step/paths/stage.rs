@@ -217,7 +217,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     /// such a force, the weights of the method amplify the error of the derivatives. It then reaches a hundredth of the
     /// derivative of the step. No other element is so nonlinear within a Newton step. States and forces do not change.
     #[inline(always)]
-    pub(super) fn look_at_answer(&mut self, elements: &Elements<T>, side: (f64, f64)) {
+    pub(super) fn evaluate_at_solution(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
         if !acts::<ON>(e, BUSHING | CAVITATION) && self.on_mass().is_none() {
             return;
@@ -246,9 +246,9 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     /// Computes the derivatives, with respect to the start of the substep, of the elements that act on the mass and
     /// have a state.
     #[inline(always)]
-    pub(super) fn look_at_start(&mut self, elements: &Elements<T>) {
+    pub(super) fn evaluate_at_start(&mut self, elements: &Elements<T>) {
         if self.on_mass().is_some() {
-            self.at.on_mass.look_at_start(elements, &self.from_start, self.x_m);
+            self.at.on_mass.evaluate_at_start(elements, &self.from_start, self.x_m);
         }
     }
 

@@ -1,7 +1,7 @@
 //! Injected unknown effect: a part of the oil flow goes through a hose to an accumulator. Oil mass and accumulator have
 //! a resonance.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["helmholtz"];
@@ -13,7 +13,7 @@ struct Hose {
     damping: f64,
 }
 
-impl Hidden for Hose {
+impl DamperEffect for Hose {
     fn tolerances(&self) -> &[f64] {
         // The states are the flow in the hose, as a piston velocity, m/s, and the accumulator's pressure, as a piston
         // force, N.
@@ -37,7 +37,7 @@ impl Hidden for Hose {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

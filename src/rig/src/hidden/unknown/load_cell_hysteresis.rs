@@ -1,6 +1,6 @@
 //! Injected unknown effect: the load cell shows a larger force at rising load than at falling load.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["rate_independent_loop"];
@@ -10,7 +10,7 @@ struct CellHysteresis {
     width_n: f64,
 }
 
-impl Hidden for CellHysteresis {
+impl DamperEffect for CellHysteresis {
     fn tolerances(&self) -> &[f64] {
         // The state is the center of the play operator that computes the hysteresis, N.
         &[1e-1]
@@ -31,7 +31,7 @@ impl Hidden for CellHysteresis {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

@@ -13,10 +13,10 @@ mod stick_slip_bursts;
 mod third_harmonic;
 mod wear_step;
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 
 /// Draws the effect with a given name, which the caller has verified.
-pub(super) fn draw(name: &str, recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(name: &str, recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     match name {
         "unknown_shear_softening" => shear_softening::draw(recipe),
         "unknown_rig_resonance" => rig_resonance::draw(recipe),

@@ -1,7 +1,7 @@
 //! Injected unknown effect: a force that depends on the lag behind position and saturates, such as that of eddy
 //! currents in a nearby part.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["saturating_lag"];
@@ -12,7 +12,7 @@ struct LagLoop {
     width_m: f64,
 }
 
-impl Hidden for LagLoop {
+impl DamperEffect for LagLoop {
     fn tolerances(&self) -> &[f64] {
         // The state is the lagged position, m.
         &[1e-6]
@@ -26,7 +26,7 @@ impl Hidden for LagLoop {
         rates[0] = (here.line.displacement_m - states[0]) / self.time_s;
     }
 
-    fn beside_n(&self, here: &Here, states: &[f64]) -> f64 {
+    fn parallel_force_n(&self, here: &Here, states: &[f64]) -> f64 {
         // If position and lagged position differ by more than `width_m`, the coupling of the field weakens, and the
         // force decreases again.
         let trail = (here.line.displacement_m - states[0]) / self.width_m;
@@ -34,7 +34,7 @@ impl Hidden for LagLoop {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

@@ -1,6 +1,6 @@
 //! Injected unknown effect: the rig's frame vibrates after every sudden change of force.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["frame"];
@@ -11,7 +11,7 @@ struct Resonance {
     damping: f64,
 }
 
-impl Hidden for Resonance {
+impl DamperEffect for Resonance {
     fn tolerances(&self) -> &[f64] {
         // The states are the force carried by the frame, N, and its rate, N/s.
         &[1e-2, 1.0]
@@ -32,7 +32,7 @@ impl Hidden for Resonance {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

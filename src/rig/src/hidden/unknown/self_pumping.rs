@@ -1,6 +1,6 @@
 //! Injected unknown effect: like a leveling damper, the damper builds up pressure in motion and loses it at standstill.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["levelling"];
@@ -11,7 +11,7 @@ struct Pumping {
     sinking_s: f64,
 }
 
-impl Hidden for Pumping {
+impl DamperEffect for Pumping {
     fn tolerances(&self) -> &[f64] {
         // The state is the pressure that motion has built up, as a fraction of the full pressure.
         &[1e-5]
@@ -28,12 +28,12 @@ impl Hidden for Pumping {
         rates[0] = pumped * (1.0 - states[0]) - states[0] / self.sinking_s;
     }
 
-    fn beside_n(&self, _here: &Here, states: &[f64]) -> f64 {
+    fn parallel_force_n(&self, _here: &Here, states: &[f64]) -> f64 {
         -self.force_n * states[0]
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

@@ -1,7 +1,7 @@
 //! Injected unknown effect: continuous shear reduces the viscosity of the oil, which recovers at standstill within
 //! seconds.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["thixotropy"];
@@ -12,7 +12,7 @@ struct Softening {
     half_m_s: f64,
 }
 
-impl Hidden for Softening {
+impl DamperEffect for Softening {
     fn tolerances(&self) -> &[f64] {
         // The state is the low-pass filtered magnitude of the velocity, m/s.
         &[1e-5]
@@ -34,7 +34,7 @@ impl Hidden for Softening {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

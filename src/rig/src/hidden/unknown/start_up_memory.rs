@@ -1,6 +1,6 @@
 //! Injected unknown effect: after a standstill, the force of the damper is reduced over an initial travel.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::{Here, Rest};
 
 const FORMS: &[&str] = &["travel"];
@@ -10,7 +10,7 @@ struct StartUp {
     travel_m: f64,
 }
 
-impl Hidden for StartUp {
+impl DamperEffect for StartUp {
     fn tolerances(&self) -> &[f64] {
         // The state is the distance traveled since the start of the test, m.
         &[1e-5]
@@ -29,7 +29,7 @@ impl Hidden for StartUp {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

@@ -1,7 +1,7 @@
 //! Injected unknown effect: the rod sticks and releases with short bursts of vibration, at times unrelated to the
 //! motion.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["bursts"];
@@ -30,7 +30,7 @@ impl Bursts {
     }
 }
 
-impl Hidden for Bursts {
+impl DamperEffect for Bursts {
     fn cell_n(&self, force_n: f64, here: &Here, _states: &[f64]) -> f64 {
         let clock = here.line.clock_s;
         let slot = (clock / SLOT_S).floor() as i64;
@@ -49,7 +49,7 @@ impl Hidden for Bursts {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let strength = recipe.strength;
     let draw = &mut recipe.draw;

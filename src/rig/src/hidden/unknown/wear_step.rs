@@ -1,7 +1,7 @@
 //! Injected unknown effect: a valve shim cracks during the campaign. After that, the damper has less force in one
 //! direction.
 
-use super::{Hidden, Recipe};
+use super::{DamperEffect, Recipe};
 use crate::neutral::Here;
 
 const FORMS: &[&str] = &["cracked_shim"];
@@ -13,7 +13,7 @@ struct Wear {
     at_s: f64,
 }
 
-impl Hidden for Wear {
+impl DamperEffect for Wear {
     fn resistance(&self, here: &Here, _states: &[f64]) -> f64 {
         if here.line.clock_s < self.at_s {
             return 1.0;
@@ -25,7 +25,7 @@ impl Hidden for Wear {
     }
 }
 
-pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn Hidden> {
+pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     recipe.form(FORMS);
     let (strength, campaign_s) = (recipe.strength, recipe.campaign_s);
     let draw = &mut recipe.draw;
