@@ -337,8 +337,8 @@ pub(crate) mod deviating_tests {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 2;
 
-    /// Acceptable deviation of a test from the others in the mean force of the two directions, in multiples of the
-    /// scatter of this force between tests. [`load_cell::OFFSET`](super::load_cell::OFFSET) is accepted in addition.
+    /// Acceptable deviation of the mean force of the two directions from that of the others, in multiples of its scatter
+    /// between tests. [`load_cell::OFFSET`](super::load_cell::OFFSET) is accepted in addition.
     ///
     /// Test: `the_scatter_of_the_gas_force_excuses_a_factor`.
     pub(crate) const OF_SCATTER: f64 = 3.0;
