@@ -142,14 +142,17 @@ impl ModelFile {
         ModelFile { params, axis, identification, specified, edited }
     }
 
-    /// Returns remarks on three kinds of numbers: those of disabled elements, missing numbers, and numbers changed since the fit. For a damper
-    /// over a setting that no fit made, or that was changed since, also returns [`energy_remark`]. A fit has its own note.
+    /// Returns the remarks on numbers ([`ModelFile::remarks_on_numbers`]) and on energy ([`ModelFile::remark_on_energy`]).
     pub fn remarks(&self) -> Vec<Sentence> {
         let mut all = self.remarks_on_numbers();
-        if self.axis.is_some() && (!self.identification.is_of_a_fit() || self.was_changed()) {
-            all.extend(energy_remark(&self.definition()));
-        }
+        all.extend(self.remark_on_energy());
         all
+    }
+
+    /// Returns [`energy_remark`] of a damper over a setting that no fit made, or that was changed since its fit. A fit has its own note.
+    pub fn remark_on_energy(&self) -> Option<Sentence> {
+        let is_by_hand = !self.identification.is_of_a_fit() || self.was_changed();
+        if self.axis.is_some() && is_by_hand { energy_remark(&self.definition()) } else { None }
     }
 
     /// Returns the remarks on numbers of disabled elements, missing numbers, and numbers changed since the fit.

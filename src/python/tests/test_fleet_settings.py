@@ -42,7 +42,8 @@ def measure(folder: Path, settings: list[float], seed: int, soft: float = 1.0, h
             x = amplitude * np.sin(2.0 * np.pi * frequency * t)
             force = (hard if setting == 1.6 else soft) * family.at(setting).simulate(t, x).force
             rows = np.column_stack((t, x, force + noise.normal(0.0, 0.005 * np.max(np.abs(force)), len(t))))
-            shown = f"{1e3 * setting:g}mA" if unit == "mA" else f"{setting:g}A"
+            factor = {"A": 1.0, "mA": 1e3, "bar": 10.0, "psi": 145.03774}[unit]
+            shown = f"{factor * setting:.6g}{unit}"
             name = f"{1e3 * amplitude:g}mm_{frequency:g}Hz_{shown}.csv"
             np.savetxt(folder / name, rows, delimiter=",", header="time_s,displacement_m,force_N", comments="", fmt="%.9g")
 
@@ -196,14 +197,7 @@ def test_without_the_option_several_settings_are_told_with_it(fleet: Path, place
 
 
 def test_stored_figures_judge_response_times_as_the_validation_does(tmp_path: Path) -> None:
-    family = dashpot.Family.read(FILE)
-    measure(tmp_path / "d", [0.0, 1.6], seed=5)
-    t = np.arange(0.0, 8.0, 1e-3)
-    x = 0.02 * np.sin(2.0 * np.pi * 0.8 * t)
-    current = np.where((t / 0.5).astype(int) % 2 == 0, 0.0, 1.6)
-    force = family.simulate(t, x, setting=current).force + np.random.default_rng(6).normal(0.0, 3.0, len(t))
-    table = np.column_stack((t, x, force, current))
-    np.savetxt(tmp_path / "d" / "steps.csv", table, "%.9g", ",", header="time_s,displacement_m,force_N,current [A]", comments="")
+    stepped(tmp_path / "d", 5)
     limits = (
         Limit("response_time_up", None, 0, 0.001),
         Limit("response_time_down", None, 0, 0.2, setting=0.0),
@@ -224,3 +218,75 @@ def test_stored_figures_judge_response_times_as_the_validation_does(tmp_path: Pa
     row = examine(Job(str(tmp_path / "d")), "k", replace(PLAN, limits=limits))
     assert row["judgement"] == "failed" and [one["setting"] for one in row["settings"]] == [0.0, 1.6], row["reason"]
     assert row["missed"][1] == "rise_time_up at setting 0.8 A: not tested, there is no such step of the setting"
+
+
+def stepped(folder: Path, seed: int) -> None:
+    """Writes tests at two constant currents, and one whose current steps between them during a sine."""
+    measure(folder, [0.0, 1.6], seed)
+    family = dashpot.Family.read(FILE)
+    t = np.arange(0.0, 8.0, 1e-3)
+    x = 0.02 * np.sin(2.0 * np.pi * 0.8 * t)
+    current = np.where((t / 0.5).astype(int) % 2 == 0, 0.0, 1.6)
+    force = family.simulate(t, x, setting=current).force + np.random.default_rng(seed).normal(0.0, 3.0, len(t))
+    table = np.column_stack((t, x, force, current))
+    np.savetxt(folder / "steps.csv", table, "%.9g", ",", header="time_s,displacement_m,force_N,current [A]", comments="")
+
+
+def test_the_response_of_the_valve_has_columns_where_tests_have_steps(tmp_path: Path) -> None:
+    stepped(tmp_path / "steps", 7)
+    measure(tmp_path / "constant", [0.0, 1.6], seed=8)
+    store = Store(tmp_path / "t.parquet")
+    names = ("steps", "constant")
+    store.add([examine(Job(str(tmp_path / name)), name, PLAN) for name in names])
+    store.table(names)
+    store.close()
+    with_steps, without = rows(tmp_path / "t.parquet")
+    assert [row["status"] for row in (with_steps, without)] == ["ok", "ok"], with_steps["reason"]
+    # The model file states 8 ms up and 12 ms down, behind a dead time of 3 ms.
+    assert with_steps["setting_time_up"] == pytest.approx(0.008, abs=0.002) and with_steps["setting_time_down"] == pytest.approx(0.012, abs=0.003)
+    assert with_steps["setting_time_up_low"] < with_steps["setting_time_up"] < with_steps["setting_time_up_high"]
+    fitted = dashpot.fit(dashpot.Campaign.read(tmp_path / "steps"), setting="current", elements=ELEMENTS)
+    assert fitted.fit.actuator is not None
+    for estimate in fitted.fit.actuator.estimates:
+        known = estimate.value if estimate.standing != "not_identified" else None
+        assert with_steps[estimate.name] == known, estimate.name
+        assert without[estimate.name] is None
+    schema = pq.read_schema(tmp_path / "t.parquet")
+    assert schema.field("setting_time_up").metadata[b"unit"] == b"s"
+
+
+def test_parameters_of_the_valve_are_in_the_unit_of_the_fleet(tmp_path: Path) -> None:
+    store = Store(tmp_path / "t.parquet")
+
+    def row(key: str, unit: str, rate: float) -> dict[str, Any]:
+        numbers = {"setting_rate_up": rate, "setting_hysteresis": 0.01 * rate, "setting_time_up": 0.01}
+        common = {"index": None, "unit": "", "standing": "identified", "setting": None}
+        parameters = [{"name": name, "value": value, "low": 0.9 * value, "high": 1.1 * value, **common} for name, value in numbers.items()]
+        return {"key": key, "status": "ok", "setting": "pressure", "setting_unit": unit, "settings": [], "parameters": parameters}
+
+    first = {"setting": 0.0, "tests": 1, "error_percent": 1.0, "rmse_n": 1.0, "fv_error_percent": 1.0, "forces": [None] * 10}
+    store.add([{**row("a", "bar", 10.0), "settings": [first]}, {**row("b", "psi", 145.03774), "settings": [first]}])
+    store.table(("a", "b"))
+    store.close()
+    a, b = rows(tmp_path / "t.parquet")
+    for name in ("setting_rate_up", "setting_rate_up_high", "setting_hysteresis", "setting_time_up"):
+        assert a[name] == pytest.approx(b[name], rel=1e-6), name
+    schema = pq.read_schema(tmp_path / "t.parquet")
+    assert [schema.field(n).metadata[b"unit"] for n in ("setting_rate_up", "setting_hysteresis")] == [b"bar/s", b"bar"]
+
+
+def test_limits_apply_in_the_unit_of_each_damper(place: Place, tmp_path: Path) -> None:
+    measure(tmp_path / "fleet" / "d0", [0.0, 1.6], seed=1, unit="bar")
+    measure(tmp_path / "fleet" / "d1", [0.0, 1.6], seed=2, unit="psi")
+    out = tmp_path / "o.parquet"
+    plan = replace(PLAN, setting="pressure", limits=(Limit("force", 0.12, 0, 1e4, setting=16.0),))
+    run_jobs(find_jobs(tmp_path / "fleet"), out, plan, place)
+    of_bar, of_psi = rows(out)
+    assert [row["status"] for row in (of_bar, of_psi)] == ["ok", "ok"], of_bar["reason"]
+    # 16 bar are 232 psi: columns are in the unit of the first damper, and the limit at 16 is one at 16 psi for the second.
+    assert all(row["error_percent_at_16_bar"] is not None for row in (of_bar, of_psi))
+    assert [row["judgement"] for row in (of_bar, of_psi)] == ["passed", "incomplete"]
+    assert of_psi["missed"] == ["force at 120 mm/s at setting 16 psi: not tested, the damper was not measured at this setting"]
+    again = replace(plan, limits=(Limit("force", 0.12, 0, 1e4, setting=232.06),))
+    run_jobs(find_jobs(tmp_path / "fleet"), out, again, place)
+    assert [row["judgement"] for row in rows(out)] == ["incomplete", "passed"]

@@ -79,7 +79,7 @@ fn work(
 }
 
 proptest! {
-    #![proptest_config(drawn(200))]
+    #![proptest_config(drawn(60))]
 
     /// If no parameter that depends on the setting stores energy, the damper only dissipates energy, for any changes of
     /// the setting.

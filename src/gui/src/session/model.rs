@@ -27,6 +27,8 @@ pub struct Tuned {
     pub identification: Identification,
     /// Results of the fit that hold at the setting of the values; `None` for an ordinary damper.
     at_setting: Option<Identification>,
+    /// Remark on numbers of an adjustable damper through which a change of the setting may do work.
+    energy: Option<Sentence>,
     /// Indices of the parameters that the file contains.
     given: Vec<usize>,
     /// The adjustable damper and the setting of the parameter values; `None` for an ordinary damper.
@@ -75,6 +77,7 @@ impl Tuned {
         });
         let params = over.as_ref().map_or(file.params, |(damper, setting)| damper.params_at(*setting));
         let at_setting = over.as_ref().map(|(_, setting)| at_setting(&file, *setting).identification);
+        let energy = file.remark_on_energy();
         let ModelFile { identification, specified: given, .. } = file;
         Tuned {
             path: None,
@@ -82,6 +85,7 @@ impl Tuned {
             identified: params,
             identification,
             at_setting,
+            energy,
             given,
             text: None,
             history: History::new(params),
@@ -97,6 +101,11 @@ impl Tuned {
     pub fn identified(text: String) -> Result<Tuned, String> {
         let file = model_file::family_of_text(&text, Path::new("model")).map_err(|e| e.to_string())?;
         Ok(Tuned { text: Some(text), ..Tuned::new(file) })
+    }
+
+    /// Returns the remarks on the model: numbers without effect, and numbers through which a change of the setting may do work.
+    pub fn remarks(&self) -> Vec<Sentence> {
+        self.idle().into_iter().chain(self.energy.clone()).collect()
     }
 
     /// Returns one sentence for each disabled element whose entries in the file have no effect.

@@ -67,3 +67,19 @@ fn steps_of_the_open_tests_are_shown_measured_beside_the_model() {
         says(&harness, &format!("{:.1}", 1e3 * measured.t63_s)) && !holds(&harness, "the setting of the valve alone")
     );
 }
+
+#[test]
+fn a_family_that_may_supply_energy_is_named_where_it_is_tuned() {
+    let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
+    let remark = "zero velocity, 0 N at 0 A to 300.0 N at 1 A";
+    for (text, is_named) in [(FAMILY.to_owned(), false), (FAMILY.replace("-2400.0, 0.0", "-2400.0, 300.0"), true)] {
+        // Without the results of a fit, the file counts as made by hand.
+        std::fs::write(file.path(), text.split("[identification]").next().unwrap()).unwrap();
+        let mut harness = window(vec![]);
+        harness.state_mut().session.open(&[file.path().to_owned()]);
+        harness.state_mut().view.side = Side::Tune;
+        harness.step();
+        harness.step();
+        assert_eq!(holds(&harness, remark), is_named);
+    }
+}

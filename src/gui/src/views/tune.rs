@@ -38,7 +38,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         ui.colored_label(ui.visuals().error_fg_color, format!("{}: {refused}", w.rejected));
     }
     // The notes name parameters of disabled elements in the file, because they take effect once the element is enabled.
-    for note in session.model.as_ref().map(Tuned::idle).unwrap_or_default() {
+    for note in session.model.as_ref().map(Tuned::remarks).unwrap_or_default() {
         ui.add(egui::Label::new(egui::RichText::new(view.format().say(&note)).weak()).wrap());
     }
     setting(ui, session, w);

@@ -169,6 +169,8 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
     doubts = (
         f"{d.test}: its forces are those at {label(d.fitting, unit)}, and it is labeled {label(d.stated, unit)}" for d in validation.setting_doubts
     )
+    actuator = model.fit.actuator if isinstance(model, FittedFamily) else None
+    valve = actuator.estimates if actuator is not None else ()
     figures: dict[str, Any] = {
         "setting": plan.over,
         "setting_unit": unit if plan.over is not None else None,
@@ -186,7 +188,7 @@ def _figures(job: Job, plan: Plan) -> dict[str, Any]:
         "parameters": [
             {"name": e.name, "index": e.index, "value": e.value, "low": e.low, "high": e.high, "unit": e.unit, "standing": e.standing,
              "setting": getattr(e, "setting", None)}
-            for e in model.fit.parameters
+            for e in (*model.fit.parameters, *valve)
         ],
         # Unusable files and tests come first, because a reader of the row must know that they were left out.
         "notes": [*(u.why for u in campaign.unusable), *doubts, *model.fit.notes],

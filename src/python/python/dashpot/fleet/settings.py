@@ -115,6 +115,10 @@ def verdict_of(one: Diagnosis | SettingDiagnosis) -> dict[str, Any]:
     return said
 
 
+#: Parameters of the actuator in the unit of the setting, and in this unit per second. All others have units of their own.
+_IN_UNIT_OF_SETTING = {"setting_hysteresis": "", "setting_rate_up": "/s", "setting_rate_down": "/s"}
+
+
 @dataclass
 class FleetSettings:
     """Settings at which the dampers of a fleet were measured, and the parameters that depend on the setting in any damper.
@@ -140,6 +144,14 @@ class FleetSettings:
     def own(self, row: Mapping[str, Any], setting: float) -> float | None:
         """Returns a setting of a row in the unit of the fleet, or None if its unit belongs to another quantity."""
         return _native.restate_setting(setting, row["setting_unit"] or "", self.unit)
+
+    def number_unit(self, name: str, unit: str) -> str:
+        """Returns the unit of a parameter in the table. Some parameters of the actuator have that of the fleet's setting."""
+        return f"{self.unit}{_IN_UNIT_OF_SETTING[name]}" if name in _IN_UNIT_OF_SETTING and self.unit else unit
+
+    def own_number(self, row: Mapping[str, Any], name: str, value: float | None) -> float | None:
+        """Returns a value of a parameter in the unit of the table."""
+        return self.own(row, value) if value is not None and name in _IN_UNIT_OF_SETTING else value
 
     def values(self) -> list[float]:
         """Returns the settings of the fleet, increasing. Settings within the scatter of one setting are one, with its most frequent value."""

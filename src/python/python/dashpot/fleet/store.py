@@ -71,7 +71,8 @@ OF_PARTS = ("key", "measured")
 #: Suffix of the key of a row that the table shows but that does not count as finished. The next run evaluates its campaign again.
 NOT_DONE = "~"
 #: Columns of a part. The table has three further columns (value, low, high) for every parameter that any damper has. A parameter that depends
-#: on the setting has these columns at each setting of the fleet, such as ``coulomb_force_at_0.8_A``. So have errors and forces.
+#: on the setting has these columns at each setting of the fleet, such as ``coulomb_force_at_0.8_A``. So have errors and forces. Parameters of
+#: the actuator, such as ``setting_time_up``, have columns if tests with a changing setting identify them.
 SCHEMA = pa.schema(
     [
         ("key", pa.string()),
@@ -216,6 +217,7 @@ class Store:
             for number in row["parameters"] or ():
                 if number["index"] is None:
                     units.setdefault(number["name"], number["unit"])
+        units = {name: over.number_unit(name, unit) for name, unit in units.items()}
         names = sorted(units)
         fields = [f for f in SCHEMA if f.name not in OF_PARTS]
         for name in names:
@@ -256,8 +258,9 @@ class Store:
                         if name in over.varying:
                             there = own.values() if number["setting"] is None else [own.get(number["setting"])]
                             columns = [column(name, shown) for shown in there if shown is not None]
+                        value, low, high = (over.own_number(row, name, number[end]) for end in ("value", "low", "high"))
                         for key in columns:
-                            row[key], row[f"{key}_low"], row[f"{key}_high"] = number["value"], number["low"], number["high"]
+                            row[key], row[f"{key}_low"], row[f"{key}_high"] = value, low, high
                 rows.append(row)
             yield _table(rows, schema)
 
