@@ -14,8 +14,8 @@ use dashpot_estimation::samples::Test;
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
-use dashpot_estimation::structure::settled::settled;
 use dashpot_estimation::structure::starts;
+use dashpot_estimation::structure::without_doubtful::without_doubtful;
 use dashpot_estimation::vocabulary::{Candidate, changes};
 use dashpot_identification::{describe_roads, select_tests};
 use dashpot_messages::Template;
@@ -140,7 +140,7 @@ fn alone<'a>(
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     progress(0.9, phrases::WEIGHING);
     let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
-    let mut best = settled(&context, &given, best, &is_named(&search, false));
+    let mut best = without_doubtful(&context, &given, best, &is_named(&search, false));
     if given.log_posterior >= best.log_posterior || adds_without_need(&given, &best) {
         best = given.clone();
     }
@@ -191,7 +191,7 @@ fn against_reference<'a>(
     let search = StructureSearch::run(&context, Some((same, Vec::new())), Vec::new());
     let search = search.ok_or(DiagnosisError::NotFinite)?;
     let (given, best) = finished(&search, &fitted).ok_or(DiagnosisError::NotFinite)?;
-    let best = settled(&context, &given, best, &is_named(&search, true));
+    let best = without_doubtful(&context, &given, best, &is_named(&search, true));
     let against = Some(against);
     Ok(Composed {
         reference_remarks: Vec::new(),

@@ -563,8 +563,9 @@ impl Search<'_> {
         Some(Iterate { x, cost, rows, linear, lengths, damping: self.options.damping, growth: 2.0, quiet: 0 })
     }
 
-    /// Returns the end of a step that is corrected for the curvature of the residuals, if the options ask for it and the
-    /// correction is small. `step` is the linear step with the triangular factor of its system.
+    /// Returns the end of a step that is corrected for the curvature of the residuals.
+    ///
+    /// Returns `None` if the options do not ask for it or if the correction is large. `step` is the linear step with the triangular factor of its system.
     fn bent_end(
         &self,
         now: &Iterate,

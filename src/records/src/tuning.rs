@@ -728,7 +728,7 @@ pub(crate) mod rests {
     /// The amplitudes of a test list differ by more. At one setting, the amplitudes of a drive differ by less.
     ///
     /// Test: `equal_motions_have_the_same_ends_within_a_tenth`.
-    pub(crate) const SAME_ENDS: f64 = 0.05;
+    pub(crate) const SAME_ENDS: f64 = 0.1;
 
     /// Largest relative difference between the mean speeds of two equal motions.
     ///

@@ -131,8 +131,9 @@ struct Passages<'a> {
 }
 
 impl Passages<'_> {
-    /// Returns the uncertain numbers from which a quantity follows: the inputs, the factor of the error of the law, the
-    /// forces below the knee, and more.
+    /// Returns the uncertain numbers from which a quantity follows.
+    ///
+    /// They are the inputs, the factor of the error of the law, the forces below the knee, and more.
     fn numbers(&self, error: f64, more: &[Uncertain]) -> Vec<Uncertain> {
         let mut all = self.inputs.clone();
         all.push(Uncertain::within_factor(1.0, error));

@@ -11,7 +11,7 @@
 //! | [`halving`] | refits of the promising starts by successive halving |
 //! | [`expansion`] | all structures with one more effect than a given structure |
 //! | [`search`] | add, remove, swap and change of form, from several starts; the table of visited structures |
-//! | [`settled`] | the proposed model: the most probable structure, without doubtful additions |
+//! | [`without_doubtful`] | the proposed model: the most probable structure, without doubtful additions |
 //! | [`alternatives`] | structures that the records do not rule out, and the intervals over them |
 //! | [`curve_points`], [`curve_at_rest`], [`series_restart`], [`coordinate_search`], [`nearby`] | methods for the refits |
 
@@ -32,5 +32,5 @@ pub mod prior_odds;
 pub mod screening;
 pub mod search;
 pub mod series_restart;
-pub mod settled;
 pub mod starts;
+pub mod without_doubtful;

@@ -10,26 +10,26 @@ use crate::refit::Effort;
 /// An added effect often replaces an effect of the given model. If the addition is doubtful, so is the replacement: the
 /// effects of the given model return, as far as each raises the log posterior. Otherwise the proposed model would lack both
 /// effects, and be worse than the given model.
-pub fn settled(
+pub fn without_doubtful(
     context: &SearchContext,
     given: &Structure,
     best: Structure,
     is_certain: &dyn Fn(&str) -> bool,
 ) -> Structure {
     let is_own = |effect: &str| given.components.iter().any(|own| own.effect == effect);
-    let mut settled = best;
-    let before = settled.components.len();
-    while let Some(place) = settled.components.iter().position(|c| !is_own(c.effect) && !is_certain(c.effect)) {
+    let mut less = best;
+    let before = less.components.len();
+    while let Some(place) = less.components.iter().position(|c| !is_own(c.effect) && !is_certain(c.effect)) {
         // A structure without finite force cannot be proposed, so its effect stays.
-        let Some(less) = settled.without(place, context.tests, Effort::FINE) else { break };
-        settled = less;
+        let Some(without) = less.without(place, context.tests, Effort::FINE) else { break };
+        less = without;
     }
-    if settled.components.len() == before {
-        return settled;
+    if less.components.len() == before {
+        return less;
     }
-    let settled = restored(context, given, settled);
-    let adds_nothing = settled.components.iter().all(|c| is_own(c.effect));
-    if adds_nothing && given.log_posterior > settled.log_posterior { given.clone() } else { settled }
+    let proposed = restored(context, given, less);
+    let adds_nothing = proposed.components.iter().all(|c| is_own(c.effect));
+    if adds_nothing && given.log_posterior > proposed.log_posterior { given.clone() } else { proposed }
 }
 
 /// Returns a structure with those effects of the given model that raise its log posterior, the most probable first.
@@ -88,9 +88,9 @@ mod tests {
         let without = given.without(place(&given, "coulomb_friction").unwrap(), &tests, Effort::JUDGE).unwrap();
         let is_tried = |c: &crate::vocabulary::Candidate| c.effect == "stribeck_friction";
         let exchanged = expand(&context, &without, &is_tried, Budget::RIVALS).unwrap().trials.remove(0).structure;
-        let certain = settled(&context, &given, exchanged.clone(), &|_| true);
+        let certain = without_doubtful(&context, &given, exchanged.clone(), &|_| true);
         assert_eq!(certain.key(), exchanged.key());
-        let doubtful = settled(&context, &given, exchanged, &|_| false);
+        let doubtful = without_doubtful(&context, &given, exchanged, &|_| false);
         assert!(place(&doubtful, "coulomb_friction").is_some(), "{:?}", doubtful.key());
         assert!(place(&doubtful, "stribeck_friction").is_none(), "{:?}", doubtful.key());
         assert!(
