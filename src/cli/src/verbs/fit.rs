@@ -262,7 +262,7 @@ fn check_options(args: &Args, setting: Option<&str>) -> anyhow::Result<()> {
 fn describe(found: &Fit) -> Vec<String> {
     let items = found.inventory.iter().map(|item| format!("  {}", describe_item(item)));
     let estimates = found.estimates.iter().filter(|e| e.index.is_none()).map(|e| describe_estimate(e, found));
-    let notes = found.further_notes().into_iter().map(|note| format!("note: {note}"));
+    let notes = found.further_notes().map(|note| format!("note: {note}"));
     items.chain(estimates).chain(curve_lines(&found.params)).chain(notes).collect()
 }
 
