@@ -70,7 +70,12 @@ fn the_tables_of_fit_validate_and_diagnose_are_read_back_in_full() {
     assert!(done(dir, &validate).contains("workbook: v.xlsx"));
     let validated = sheets(&dir.join("v.xlsx"));
     let version = env!("CARGO_PKG_VERSION");
-    for text in [version, "m.toml", "records/a50mm_v0262mm_s.csv", "dashpot validate m.toml records --json v.json --excel v.xlsx\n"] {
+    for text in [
+        version,
+        "m.toml",
+        "records/a50mm_v0262mm_s.csv",
+        "dashpot validate m.toml records --json v.json --excel v.xlsx\n",
+    ] {
         assert!(first(&validated).contains(text), "{text}");
     }
     // The first sheet lists the others, and each of these begins with its headings. Numbers equal those of the JSON,
