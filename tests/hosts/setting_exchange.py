@@ -15,7 +15,7 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "examples"))
 from dashpot_damper import Damper  # noqa: E402
 from setting_fmu import Fmu, Fmu3, unpacked  # noqa: E402
 
-STEP, STEPS = 2e-5, 20000
+STEP, STEPS = 4e-5, 10000
 """Steps of the integration, s. They resolve the internal mass, so the error of both integrations is small."""
 LIMIT = 2e-3
 """Largest difference of the forces, as a fraction of the largest force."""

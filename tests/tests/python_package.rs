@@ -3,7 +3,7 @@
 //! The test builds a wheel, installs it without the source tree on the path, and tests the installed package.
 //!
 //! Building the wheel compiles the workspace again, with unwinding on panics, and the required packages have half a
-//! gigabyte. Therefore `cargo test --release` excludes this test. Run it with `cargo test --release -p dashpot-tests
+//! gigabyte. Therefore `cargo test --profile tests` excludes this test. Run it with `cargo test --profile tests -p dashpot-tests
 //! --test python_package -- --ignored --nocapture`.
 
 use dashpot_test_support::{skipped, target_folder};

@@ -30,7 +30,8 @@ pub struct Scale(f64);
 ///
 /// Records of few tests do not separate these three forces, so only their sum is a measure of size.
 pub fn largest_force(params: &Params) -> f64 {
-    let curve = params.list(list!("fv_force")).iter().fold(0.0f64, |most, force| most.max(force.abs()));
+    let curve = if params.is_on(element!("fv_curve")) { params.list(list!("fv_force")) } else { &[] };
+    let curve = curve.iter().fold(0.0f64, |most, force| most.max(force.abs()));
     let parallel = [
         (element!("coulomb_friction"), number!("coulomb_force")),
         (element!("stribeck_friction"), number!("stribeck_coulomb_force")),
@@ -137,6 +138,8 @@ impl Scale {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use dashpot_core::parameter::Element;
+    use dashpot_core::{Input, Model, State, step};
 
     fn with_forces(factor: f64) -> Params {
         let mut params = Params::new();
@@ -154,6 +157,35 @@ mod tests {
             assert!(scale.is_car(), "{factor}: {scale:?}");
             assert_eq!(scale.reach(number!("internal_mass")), (0.005, 20.0));
         }
+    }
+
+    /// A new element with a force of constant size would otherwise be missing from the size of the damper.
+    #[test]
+    fn every_force_that_hardly_depends_on_the_motion_counts_in_the_largest_force() {
+        let mut counted = 0;
+        for element in Element::all() {
+            let mut params = Params::new();
+            params.disable_all();
+            params.enable(element, true);
+            let model = Model::new(&params).unwrap();
+            let force = |v: f64| {
+                let (mut state, mut force) = (State::ZERO, 0.0);
+                for k in 1..=50 {
+                    let (next, output) = step(&model, &state, &Input::motion(1e-3 * f64::from(k) * v, v), 1e-3);
+                    (state, force) = (next, output.force);
+                }
+                force
+            };
+            let [slow, fast] = [0.2, 0.4].map(force);
+            if slow.abs() > 1.0 && (fast / slow - 1.0).abs() < 0.1 {
+                counted += 1;
+                assert!(largest_force(&params) > 0.5 * slow.abs(), "{}: {slow} N", element.name());
+            } else {
+                let name = element.name();
+                assert!(largest_force(&params) == 0.0 || name == "fv_curve", "{name}: {slow} and {fast} N");
+            }
+        }
+        assert!(counted > 3, "{counted} elements");
     }
 
     #[test]

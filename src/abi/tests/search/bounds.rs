@@ -1,7 +1,7 @@
 //! Bounds of the force of a case: the sum of the forces of its elements along its motion, and the forces in short steps.
 
 use crate::case::{Case, Failure, Given, Run, prepare};
-use dashpot_core::parameter::Number;
+use dashpot_core::parameter::{Acts, Element, Number, acts};
 
 /// Bounds with which a force is compared.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -14,21 +14,20 @@ pub enum Against {
     ShortSteps,
 }
 
-/// Elements whose force depends only on the motion of the moving end. Their force needs no solution of an equation.
-const BESIDE: [&str; 12] = [
-    "coulomb_friction",
-    "stribeck_friction",
-    "viscous_friction",
-    "side_force_friction",
-    "gas_preload",
-    "gas_warming",
-    "lagged_polynomial",
-    "presliding_friction",
-    "gas_spring",
-    "moving_mass",
-    "bump_stop",
-    "rebound_stop",
-];
+/// Returns whether the force of an element depends only on the motion of the moving end. Such a force needs no solution of an equation.
+fn is_parallel(name: &str) -> bool {
+    matches!(place_of(name), Some(Acts::Friction | Acts::Preload | Acts::Stateful | Acts::Stop))
+}
+
+/// Returns whether an element is friction whose force depends on the instantaneous velocity.
+fn is_friction(name: &str) -> bool {
+    place_of(name) == Some(Acts::Friction)
+}
+
+/// Returns the position of an element in the model; `None` for a name of no element.
+fn place_of(name: &str) -> Option<Acts> {
+    Element::find(name).ok().map(|element| acts(element.place()))
+}
 
 /// Numbers of substeps with which implicit Euler is tried if a force exceeds the bound from implicit Euler with 32 substeps.
 ///
@@ -82,9 +81,6 @@ fn curve(case: &Case, found: &Run, speed: f64) -> f64 {
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
-/// Friction elements whose force depends on the instantaneous velocity.
-const FRICTION: [&str; 4] = ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"];
-
 /// Returns the largest friction, N, behind the series spring up to `speed`, m/s, or 0 if the friction does not act there.
 ///
 /// The friction acts on the internal mass. Whatever the motion of the host, the mass passes every velocity between zero and the given velocity.
@@ -95,7 +91,7 @@ fn stuck(case: &Case, speed: f64) -> f64 {
         return 0.0;
     }
     let mut alone = Case { motion: Vec::new(), start: 0.0, ..case.clone() };
-    alone.on.retain(|name| FRICTION.contains(name));
+    alone.on.retain(|name| is_friction(name));
     // Side force and temperature are constant in an ordinary motion.
     let Some(given) = case.motion.first() else { return 0.0 };
     let mut v = speed;
@@ -171,7 +167,7 @@ fn most(case: &Case, found: &Run) -> f64 {
     let speed = fastest(case);
     let late = case.on.contains(&"valve_hysteresis") && number(case, "valve_form") > 0.0;
     let curve = if late { SHUT } else { 1.0 } * curve(case, found, 3.0 * speed);
-    2.0 * (beside(case).max(stuck(case, 3.0 * speed)) + curve + thrown(case)) + 100.0
+    2.0 * (parallel(case).max(stuck(case, 3.0 * speed)) + curve + thrown(case)) + 100.0
 }
 
 fn run(case: &Case) -> Option<Run> {
@@ -179,9 +175,9 @@ fn run(case: &Case) -> Option<Run> {
 }
 
 /// Returns the largest force, N, of the elements that depend only on the motion of the moving end.
-fn beside(case: &Case) -> f64 {
+fn parallel(case: &Case) -> f64 {
     let mut alone = case.clone();
-    alone.on.retain(|name| BESIDE.contains(name));
+    alone.on.retain(|name| is_parallel(name));
     run(&alone).map_or(0.0, |run| largest(&run.forces))
 }
 
@@ -237,7 +233,7 @@ pub fn check(case: &Case, found: &Run, against: Against, thorough: bool) -> Resu
     let top = largest(&found.forces);
     let speed = fastest(case);
     let elements = 2.0
-        * (beside(case).max(stuck(case, 3.0 * speed)) + curve(case, found, 3.0 * speed) + caught(case, 2.0 * speed))
+        * (parallel(case).max(stuck(case, 3.0 * speed)) + curve(case, found, 3.0 * speed) + caught(case, 2.0 * speed))
         + 100.0;
     if top <= elements {
         return Ok(());

@@ -1,7 +1,7 @@
 //! Tests of the damper's elements: symmetry, peaks and limits of their forces, and no effect of an element that is off.
 
 use crate::common::*;
-use dashpot_core::parameter::{Element, List, Number, Shape, table};
+use dashpot_core::parameter::{Acts, Element, List, Number, Shape, acts, table};
 use dashpot_core::step::{Integration, Method, step};
 use dashpot_core::{Input, Model, Params, State, evaluate};
 use dashpot_core::{element, number};
@@ -18,12 +18,12 @@ proptest! {
 
     #[test]
     fn friction_is_odd(params in any_params(), v in (-7.0..1.0f64).prop_map(|d| 10f64.powf(d))) {
-        for element in ["coulomb_friction", "stribeck_friction", "viscous_friction", "side_force_friction"] {
+        for element in Element::all().filter(|element| acts(element.place()) == Acts::Friction) {
             let mut p = params;
             p.disable_all();
-            p.enable(Element::find(element).unwrap(), true);
+            p.enable(element, true);
             let model = Model::new(&p).unwrap();
-            prop_assert_eq!(force(&model, v), -force(&model, -v), "{} at {}", element, v);
+            prop_assert_eq!(force(&model, v), -force(&model, -v), "{} at {}", element.name(), v);
             prop_assert_eq!(force(&model, 0.0), 0.0);
         }
     }

@@ -687,7 +687,7 @@ fn everything_that_can_be_used_has_a_name_for_a_screen_reader() {
 /// The first time is from reading the records to the first loops. The second is from a slider's move to the loops and errors of all tests.
 /// The third is the time of one frame during that computation, without the graphics card.
 ///
-/// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --release -p dashpot-gui latency -- --ignored --nocapture`
+/// `DASHPOT_CAMPAIGN=... DASHPOT_MODEL=... cargo test --profile tests -p dashpot-gui latency -- --ignored --nocapture`
 #[test]
 #[ignore = "measures, and needs a campaign and a model"]
 fn latency() {

@@ -1,6 +1,7 @@
 //! The plots: loops over velocity and displacement, force over time, and peak forces with the draggable FV curve.
 
 use crate::dialogs::Ask;
+use crate::session::campaign::Loaded;
 use crate::session::outputs::table;
 use crate::session::{Session, model};
 use crate::units::Shown;
@@ -299,108 +300,149 @@ struct OwnCurve {
     points: Vec<[f64; 2]>,
 }
 
+impl OwnCurve {
+    fn name(&self, words: &Words) -> String {
+        format!("{} ({})", words.steady_force, self.setting)
+    }
+}
+
 /// Returns the color of a setting, from blue at 0 to vermilion at 1. Color-blind readers can distinguish the two, which are of the palette
 /// of Okabe & Ito.
 fn blend(part: f32) -> Color32 {
     Color32::from_rgb(86, 180, 233).lerp_to_gamma(Color32::from_rgb(213, 94, 0), part)
 }
 
-// Long: drawing, grabbing and dragging of the points share the state of one frame.
+/// Curves and points of the plot of peak forces, in the units of the user.
+struct Peaks {
+    /// Curve of the model.
+    now: Option<Vec<[f64; 2]>>,
+    /// Curve of the identified model, if the user changed the model.
+    identified: Option<Vec<[f64; 2]>>,
+    /// Name of the identified model's curve.
+    before: &'static str,
+    /// Curve of each setting, if tests have their own settings.
+    own: Vec<OwnCurve>,
+    /// Peaks of all tests.
+    measured: Vec<[f64; 2]>,
+    /// Peaks of the selected tests, with the place of the test in the selection.
+    selected: Vec<(usize, [f64; 2])>,
+    /// Draggable points of the FV curve.
+    handles: Vec<[f64; 2]>,
+}
+
+impl Peaks {
+    fn new(session: &Session, words: &'static Words, loaded: &Loaded, shown: impl Fn([f64; 2]) -> [f64; 2]) -> Peaks {
+        let curve = |params: &Params| -> Vec<[f64; 2]> {
+            steady(params, reach(loaded, params)).into_iter().map(&shown).collect()
+        };
+        let model = session.model.as_ref();
+        let unit = model.and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
+        let own = session.dampers().map_or_else(Vec::new, |dampers| dampers.settings(&loaded.campaign.records));
+        let count = own.len();
+        let own = own.iter().enumerate().map(|(k, (setting, params))| OwnCurve {
+            setting: format!("{} {unit}", words.typed(*setting)).trim_end().to_owned(),
+            colour: blend(k as f32 / (count.max(2) - 1) as f32),
+            points: curve(params),
+        });
+        let is_there = |p: &[f64; 2]| p[0].is_finite() && p[1].is_finite();
+        let selected = session.selected.iter().enumerate();
+        let selected =
+            selected.filter_map(|(place, k)| Some(loaded.tests.get(*k)?.peaks.map(|p| (place, p)))).flatten();
+        Peaks {
+            now: model.map(|m| curve(m.params())),
+            identified: model.filter(|m| m.is_tuned()).map(|m| curve(&m.identified)),
+            before: identified_name(session, words),
+            own: own.collect(),
+            measured: loaded.tests.iter().flat_map(|t| t.peaks).filter(is_there).map(&shown).collect(),
+            selected: selected.filter(|(_, p)| is_there(p)).map(|(place, p)| (place, shown(p))).collect(),
+            handles: model
+                .map_or_else(Vec::new, |m| handles(m.params()))
+                .into_iter()
+                .map(|(x, y)| shown([x, y]))
+                .collect(),
+        }
+    }
+
+    /// Returns points and curves with their names, for export.
+    fn lines(&self, words: &Words) -> Vec<(Role, String, Vec<[f64; 2]>)> {
+        let mut lines = vec![(Role::Measured, words.measured.to_owned(), self.measured.clone())];
+        let curves = [(&self.now, Role::Model, words.steady_force), (&self.identified, Role::Before, self.before)];
+        for (curve, role, name) in curves {
+            lines.extend(curve.as_ref().map(|c| (role, name.to_owned(), c.clone())));
+        }
+        lines.extend(self.own.iter().map(|of| (Role::Model, of.name(words), of.points.clone())));
+        lines
+    }
+
+    /// Returns the entries of the legend.
+    fn entries(&self, words: &'static Words, ink: Color32, weak: Color32) -> Vec<Entry> {
+        let mut entries = vec![Entry::new(weak, Mark::Dot, words.measured)];
+        if self.now.is_some() {
+            entries.push(Entry::new(ink, Mark::Line, words.steady_force));
+        }
+        if self.identified.is_some() {
+            entries.push(Entry::new(weak, Mark::Line, self.before));
+        }
+        if !self.handles.is_empty() {
+            entries.push(Entry::new(ink, Mark::Ring, words.fv_points));
+        }
+        entries.extend(self.own.iter().map(|of| Entry::new(of.colour, Mark::Line, &of.setting)));
+        entries
+    }
+
+    fn draw(&self, plot: &mut PlotUi<'_>, words: &'static Words, ink: Color32, weak: Color32) {
+        let grey = Points::new(words.measured, PlotPoints::from(self.measured.clone())).radius(2.5).color(weak);
+        plot.points(grey);
+        for (place, peak) in &self.selected {
+            plot.points(Points::new(words.measured, PlotPoints::from(vec![*peak])).radius(4.0).color(hue(*place)));
+        }
+        for of in &self.own {
+            let line = Line::new(of.name(words), PlotPoints::from(of.points.clone()));
+            plot.line(line.color(of.colour).width(1.2));
+        }
+        if let Some(curve) = &self.identified {
+            plot.line(Line::new(self.before, PlotPoints::from(curve.clone())).color(weak).width(1.0));
+        }
+        if let Some(curve) = &self.now {
+            plot.line(Line::new(words.steady_force, PlotPoints::from(curve.clone())).color(ink).width(1.5));
+        }
+        if !self.handles.is_empty() {
+            let points = Points::new(words.fv_points, PlotPoints::from(self.handles.clone()));
+            plot.points(points.radius(4.5).filled(false).color(ink));
+        }
+    }
+
+    /// Returns the index of the draggable point that a click would grab. `None` if the pointer is too far from all of them.
+    fn point_under_pointer(&self, plot: &PlotUi<'_>) -> Option<usize> {
+        let at = plot.response().hover_pos()?;
+        let distance = |k: usize| {
+            let [x, y] = self.handles[k];
+            plot.screen_from_plot(PlotPoint::new(x, y)).distance(at)
+        };
+        let nearest = (0..self.handles.len()).min_by(|a, b| distance(*a).total_cmp(&distance(*b)));
+        nearest.filter(|k| distance(*k) <= GRAB)
+    }
+}
+
 /// Draws peak force over peak velocity for tests and model, and the draggable points of the curve. The model is at constant velocity, as in
 /// the report.
 pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let words = view.words();
     let units = view.units;
     let [v, f] = [units.velocity().factor, units.force().factor];
-    let shown = move |[x, y]: [f64; 2]| [v * x, f * y];
     let axes = Axes { x: (words.velocity, units.velocity()), y: (words.force, units.force()) };
     let Some(loaded) = session.campaign.clone() else { return };
-    let curve =
-        |params: &Params| -> Vec<[f64; 2]> { steady(params, reach(&loaded, params)).into_iter().map(shown).collect() };
-    let now = session.model.as_ref().map(|m| curve(m.params()));
-    let identified = session.model.as_ref().filter(|m| m.is_tuned()).map(|m| curve(&m.identified));
-    // If tests have their own settings, each of these settings has a curve.
-    let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit())).unwrap_or_default();
-    let own = session.dampers().map_or_else(Vec::new, |dampers| dampers.settings(&loaded.campaign.records));
-    let count = own.len();
-    let own: Vec<OwnCurve> = own
-        .iter()
-        .enumerate()
-        .map(|(k, (setting, params))| OwnCurve {
-            setting: format!("{} {unit}", words.typed(*setting)).trim_end().to_owned(),
-            colour: blend(k as f32 / (count.max(2) - 1) as f32),
-            points: curve(params),
-        })
-        .collect();
-    let name_of_own = |of: &OwnCurve| format!("{} ({})", words.steady_force, of.setting);
-    let before = identified_name(session, words);
-    let is_there = |p: &[f64; 2]| p[0].is_finite() && p[1].is_finite();
-    let measured: Vec<[f64; 2]> = loaded.tests.iter().flat_map(|t| t.peaks).filter(is_there).map(shown).collect();
+    let peaks = Peaks::new(session, words, &loaded, move |[x, y]| [v * x, f * y]);
     let top = ui.cursor().min;
-    heading(ui, view, words.peaks, &axes, || {
-        let mut lines = vec![(Role::Measured, words.measured.to_owned(), measured.clone())];
-        let curves = [(&now, Role::Model, words.steady_force), (&identified, Role::Before, before)];
-        for (curve, role, name) in curves {
-            lines.extend(curve.as_ref().map(|c| (role, name.to_owned(), c.clone())));
-        }
-        lines.extend(own.iter().map(|of| (Role::Model, name_of_own(of), of.points.clone())));
-        lines
-    });
-    let handles: Vec<(f64, f64)> = session.model.as_ref().map_or_else(Vec::new, |m| handles(m.params()));
-    let handles: Vec<(f64, f64)> = handles.into_iter().map(|(x, y)| (v * x, f * y)).collect();
+    heading(ui, view, words.peaks, &axes, || peaks.lines(words));
     let ink = ui.visuals().strong_text_color();
     let weak = ui.visuals().weak_text_color();
-    let mut entries = vec![Entry::new(weak, Mark::Dot, words.measured)];
-    if now.is_some() {
-        entries.push(Entry::new(ink, Mark::Line, words.steady_force));
-    }
-    if identified.is_some() {
-        entries.push(Entry::new(weak, Mark::Line, before));
-    }
-    if !handles.is_empty() {
-        entries.push(Entry::new(ink, Mark::Ring, words.fv_points));
-    }
-    entries.extend(own.iter().map(|of| Entry::new(of.colour, Mark::Line, &of.setting)));
-    legend::show(ui, &entries, CURVES);
-    let grabbed = view.grabbed;
-    let selected: Vec<(usize, [f64; 2])> = session
-        .selected
-        .iter()
-        .enumerate()
-        .filter_map(|(place, k)| Some(loaded.tests.get(*k)?.peaks.map(|p| (place, p))))
-        .flatten()
-        .filter(|(_, p)| is_there(p))
-        .map(|(place, p)| (place, shown(p)))
-        .collect();
-    let figure = plot("peaks", &axes, false, words).allow_drag(grabbed.is_none()).allow_boxed_zoom(grabbed.is_none());
+    legend::show(ui, &peaks.entries(words, ink, weak), CURVES);
+    let is_free = view.grabbed.is_none();
+    let figure = plot("peaks", &axes, false, words).allow_drag(is_free).allow_boxed_zoom(is_free);
     let response = figure.show(ui, |plot| {
-        let grey = Points::new(words.measured, PlotPoints::from(measured.clone())).radius(2.5).color(weak);
-        plot.points(grey);
-        for (place, peak) in &selected {
-            plot.points(Points::new(words.measured, PlotPoints::from(vec![*peak])).radius(4.0).color(hue(*place)));
-        }
-        for of in &own {
-            let line = Line::new(name_of_own(of), PlotPoints::from(of.points.clone()));
-            plot.line(line.color(of.colour).width(1.2));
-        }
-        if let Some(curve) = &identified {
-            plot.line(Line::new(before, PlotPoints::from(curve.clone())).color(weak).width(1.0));
-        }
-        if let Some(curve) = &now {
-            plot.line(Line::new(words.steady_force, PlotPoints::from(curve.clone())).color(ink).width(1.5));
-        }
-        if !handles.is_empty() {
-            let places = handles.iter().map(|h| [h.0, h.1]).collect::<Vec<_>>();
-            let points = Points::new(words.fv_points, PlotPoints::from(places)).radius(4.5).filled(false).color(ink);
-            plot.points(points);
-        }
-        let pointer = plot.response().hover_pos();
-        let near = pointer.and_then(|at| {
-            let distance = |h: &(f64, f64)| plot.screen_from_plot(PlotPoint::new(h.0, h.1)).distance(at);
-            let nearest = (0..handles.len()).min_by(|a, b| distance(&handles[*a]).total_cmp(&distance(&handles[*b])));
-            nearest.filter(|k| distance(&handles[*k]) <= GRAB)
-        });
-        (near, plot.pointer_coordinate())
+        peaks.draw(plot, words, ink, weak);
+        (peaks.point_under_pointer(plot), plot.pointer_coordinate())
     });
     let (near, pointer) = response.inner;
     let mouse = response.response;
@@ -408,6 +450,18 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let stopped = view.stopped.map_or("", |why| why.text(words));
     let label = format!("{}: {} {stopped}", words.peaks, summary(session, words));
     mouse.widget_info(|| WidgetInfo::labeled(egui::Role::Figure, true, label.clone()));
+    drag_point(ui, session, view, &mouse, near, pointer.map(|at| [at.x / v, at.y / f]));
+}
+
+/// Grabs the point `near` the pointer when the user presses the button, moves it to `pointer`, m/s and N, and releases it.
+fn drag_point(
+    ui: &Ui,
+    session: &mut Session,
+    view: &mut View,
+    mouse: &egui::Response,
+    near: Option<usize>,
+    pointer: Option<[f64; 2]>,
+) {
     // A press near a point grabs the point before the plot starts to pan.
     let (pressed, down) = ui.input(|i| (i.pointer.primary_pressed(), i.pointer.primary_down()));
     if pressed && mouse.contains_pointer() {
@@ -417,28 +471,16 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     if near.is_some() || view.grabbed.is_some() {
         ui.ctx().set_cursor_icon(egui::CursorIcon::Grab);
     }
-    if let (Some(point), Some(at), true) = (view.grabbed, pointer, down) {
+    if let (Some(point), Some(to), true) = (view.grabbed, pointer, down) {
         let with_velocity = ui.input(|i| i.modifiers.shift);
-        let to = [at.x / v, at.y / f];
         session.tune(|m| {
             let (changed, stopped) = drag(m, point, to, with_velocity);
             view.stopped = stopped;
             changed
         });
     }
-    // While the user drags a point, a remark in the corner of the plot shows why the point stopped.
     if let Some(why) = view.stopped {
-        let at = mouse.rect.left_top() + Vec2::new(66.0, 6.0);
-        let font = egui::FontId::proportional(FONT_SIZE + 1.0);
-        let galley = ui.painter().layout(
-            why.text(words).to_owned(),
-            font,
-            ui.visuals().error_fg_color,
-            (mouse.rect.width() - 80.0).max(60.0),
-        );
-        let back = Rect::from_min_size(at, galley.size()).expand(3.0);
-        ui.painter().rect_filled(back, 3.0, ui.visuals().extreme_bg_color.gamma_multiply(0.9));
-        ui.painter().galley(at, galley, ui.visuals().error_fg_color);
+        remark(ui, mouse.rect, why.text(view.words()));
     }
     if view.grabbed.is_some() && !down {
         view.grabbed = None;
@@ -452,8 +494,19 @@ pub fn peaks(ui: &mut Ui, session: &mut Session, view: &mut View) {
     }
 }
 
+/// Draws a remark in the corner of a plot: why a dragged point stopped.
+fn remark(ui: &Ui, plot: Rect, text: &str) {
+    let at = plot.left_top() + Vec2::new(66.0, 6.0);
+    let font = egui::FontId::proportional(FONT_SIZE + 1.0);
+    let color = ui.visuals().error_fg_color;
+    let galley = ui.painter().layout(text.to_owned(), font, color, (plot.width() - 80.0).max(60.0));
+    let back = Rect::from_min_size(at, galley.size()).expand(3.0);
+    ui.painter().rect_filled(back, 3.0, ui.visuals().extreme_bg_color.gamma_multiply(0.9));
+    ui.painter().galley(at, galley, color);
+}
+
 /// Returns the velocity range, m/s, that contains the peaks of the tests and the draggable points, with a margin.
-fn reach(loaded: &crate::session::campaign::Loaded, params: &Params) -> [f64; 2] {
+fn reach(loaded: &Loaded, params: &Params) -> [f64; 2] {
     let peaks = loaded.tests.iter().flat_map(|t| t.peaks).map(|p| p[0]).filter(|v| v.is_finite());
     let points = handles(params).into_iter().map(|h| h.0);
     let ends = peaks.chain(points).fold([-0.1f64, 0.1f64], |[low, high], v| [low.min(v), high.max(v)]);

@@ -3,10 +3,11 @@
 use crate::session::Session;
 use crate::units::read;
 use crate::views::{View, named_list};
+use crate::words::Words;
 use dashpot_records::{Channel, DateOrder, Positive, Unit};
 use eframe::egui::{self, ComboBox, Role, Ui, WidgetInfo};
+use std::collections::BTreeMap;
 
-// Long: a form, one statement for each of its fields in the order of the screen.
 /// Draws the panel.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     let (w, format) = (view.words(), view.format());
@@ -34,20 +35,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
         };
         let orders = [None, Some(DateOrder::DayFirst), Some(DateOrder::MonthFirst)];
         choice(ui, w.dates, &mut reading.dates, &orders, order);
-        for channel in [Channel::Time, Channel::Displacement, Channel::Velocity, Channel::Force] {
-            let now = reading.units.get(&channel).copied();
-            let mut chosen = now;
-            let name = |u: Option<Unit>| u.map_or(w.as_file_says, Unit::name);
-            let units = Unit::ALL.iter().filter(|u| u.dimension() == channel.dimension()).map(|u| Some(*u));
-            let units: Vec<Option<Unit>> = std::iter::once(None).chain(units).collect();
-            choice(ui, &format!("{} {}", w.unit_of, w.channel(channel)), &mut chosen, &units, name);
-            if chosen != now {
-                match chosen {
-                    Some(unit) => reading.units.insert(channel, unit),
-                    None => reading.units.remove(&channel),
-                };
-            }
-        }
+        choose_units(ui, &mut reading.units, w);
         let mut field = |name: &str, value: &mut f64, factor: f64, unit: &str, speed: f64| {
             ui.add(egui::Label::new(name).wrap());
             ui.horizontal(|ui| {
@@ -82,21 +70,7 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
     ui.checkbox(&mut reading.flip_force, w.flip_force);
     ui.checkbox(&mut reading.flip_motion, w.flip_motion);
     ui.checkbox(&mut reading.subfolders, w.subfolders);
-    if !reading.exclude.is_empty() {
-        ui.label(w.excluded);
-    }
-    let mut back = None;
-    for (k, name) in reading.exclude.iter().enumerate() {
-        ui.horizontal(|ui| {
-            ui.label(name);
-            if ui.small_button("✖").on_hover_text(w.take_back).clicked() {
-                back = Some(k);
-            }
-        });
-    }
-    if let Some(k) = back {
-        reading.exclude.remove(k);
-    }
+    show_excluded(ui, &mut reading.exclude, w);
     let wrong = reading.check().err();
     if let Some(wrong) = &wrong {
         ui.colored_label(ui.visuals().error_fg_color, wrong);
@@ -118,6 +92,43 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.add(egui::Label::new(egui::RichText::new(format!("• {}", format.say(text))).weak()).wrap());
         }
     });
+}
+
+/// Draws the rows of the form in which the user chooses the unit of each channel.
+fn choose_units(ui: &mut Ui, units: &mut BTreeMap<Channel, Unit>, w: &'static Words) {
+    for channel in [Channel::Time, Channel::Displacement, Channel::Velocity, Channel::Force] {
+        let now = units.get(&channel).copied();
+        let mut chosen = now;
+        let name = |u: Option<Unit>| u.map_or(w.as_file_says, Unit::name);
+        let all = Unit::ALL.iter().filter(|u| u.dimension() == channel.dimension()).map(|u| Some(*u));
+        let all: Vec<Option<Unit>> = std::iter::once(None).chain(all).collect();
+        choice(ui, &format!("{} {}", w.unit_of, w.channel(channel)), &mut chosen, &all, name);
+        if chosen != now {
+            match chosen {
+                Some(unit) => units.insert(channel, unit),
+                None => units.remove(&channel),
+            };
+        }
+    }
+}
+
+/// Draws the list of the excluded tests, each with a button that includes it again.
+fn show_excluded(ui: &mut Ui, exclude: &mut Vec<String>, w: &Words) {
+    if !exclude.is_empty() {
+        ui.label(w.excluded);
+    }
+    let mut back = None;
+    for (k, name) in exclude.iter().enumerate() {
+        ui.horizontal(|ui| {
+            ui.label(name);
+            if ui.small_button("✖").on_hover_text(w.take_back).clicked() {
+                back = Some(k);
+            }
+        });
+    }
+    if let Some(k) = back {
+        exclude.remove(k);
+    }
 }
 
 /// Draws a row of the form: a label, and a drop-down list with the names of all values.

