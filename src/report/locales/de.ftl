@@ -1667,6 +1667,7 @@ identification-no-actuator = { $count ->
        *[other] zeigen
     } keinen Steller: die Kraft folgt dem Befehl innerhalb von Abtastung und Rauschen
 identification-actuator-open = die Messungen bestimmen { $names } nicht: die Werte sind solche, wie Ventile sie meist zeigen
+identification-actuator-two-settings = die Zeiten des Ventils setzen voraus, dass die Kraft zwischen { $low } und { $high } linear von { $setting } abhängt: eine gekrümmte Kraft verfälscht sie über ihre Intervalle hinaus. Eine Einstellung dazwischen messen
 identification-family-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, höchstens { $most } je Einstellung und { $changing } mit wechselnder Einstellung, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
 identification-no-interval-between = { $names }: hier, zwischen zwei Einstellungen, kein Intervall; erst drei oder mehr Einstellungen zeigen, wie weit die Interpolation abweicht
 identification-label-suspect = { $test } gibt { $name } { $stated } an, doch seine Kräfte sind die von { $fitting }: bei der angegebenen Einstellung verfehlt das Modell ihn um das { $ratio }-Fache. Die Angabe prüfen; ein berichtigter Wert gehört in campaign.toml unter settings

@@ -1712,6 +1712,7 @@ identification-no-actuator = { $count ->
        *[other] ne montrent
     } aucun actionneur : l’effort suit la commande dans la limite de l’échantillonnage et du bruit
 identification-actuator-open = les mesures ne déterminent pas { $names } : les valeurs sont celles que montrent d’ordinaire les valves
+identification-actuator-two-settings = les temps de la valve supposent que la force est linéaire selon { $setting } entre { $low } et { $high } : une force courbe les fausse au-delà de leurs intervalles. Mesurer un réglage entre les deux
 identification-family-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, au plus { $most } par réglage et { $changing } dont le réglage varie, de chaque amplitude, vitesse, position moyenne, température et effort latéral. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
 identification-no-interval-between = { $names } : pas d’intervalle ici, entre deux réglages ; un ajustement à trois réglages ou plus montre l’erreur de l’interpolation
 identification-label-suspect = { $test } indique { $name } { $stated }, mais ses forces sont celles de { $fitting } : au réglage indiqué, le modèle s’en écarte { $ratio } fois plus. Vérifier cette indication ; une valeur corrigée se met dans campaign.toml sous settings

@@ -1454,6 +1454,7 @@ identification-family-actuator = 由设置变化的试验得到阀的响应
 identification-changing-setting = 设置变化的试验
 identification-no-actuator = { $count } 个{ $setting }变化的试验未显示执行器：力在采样和噪声范围内跟随指令
 identification-actuator-open = 记录不能确定 { $names }：取阀通常的数值
+identification-actuator-two-settings = 阀的时间假定力在 { $low } 与 { $high } 之间随{ $setting }线性变化：若力为曲线，误差会超出其区间。请测量两者之间的一个设置
 identification-family-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，每个设置最多 { $most } 个，设置变化的 { $changing } 个，涵盖各种振幅、速度、平均位置、温度和侧向力。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
 identification-no-interval-between = { $names }：位于两个设置之间，此处无区间；拟合三个或更多设置才能显示插值误差
 identification-label-suspect = { $test } 标明 { $name } { $stated }，但其力属于 { $fitting }：在所标设定下模型的误差为后者的 { $ratio } 倍。请检查该标注；更正值写入 campaign.toml 的 settings

@@ -11,7 +11,7 @@ use dashpot_estimation::first_guess;
 use dashpot_estimation::samples::segments;
 use dashpot_identification::family::{ActuatorFit, FamilyFit, at_setting, fit_family};
 use dashpot_identification::model_file::{FvOnly, ModelFile, prepared_family};
-use dashpot_identification::{FitOptions, Standing};
+use dashpot_identification::{Estimate, FitOptions, Standing};
 use dashpot_other_lab::Protocol;
 use dashpot_other_lab::semi_active::{LEFT_OUT, SemiActivePlant, SemiActiveTest, random, sines, steps};
 use dashpot_proving::semi_active::{evaluate_tests, measure};
@@ -411,6 +411,41 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
     let of = |name: &str| found.iter().find(|of| of.name == name).unwrap_or_else(|| panic!("{name}: {found:?}"));
     assert!(of("setting_time_down").standing == Standing::NotIdentified, "{found:?}");
     assert!((of("setting_time_up").value / 0.03 - 1.0).abs() < 0.2, "{found:?}");
+}
+
+/// Checks that a family that lacks elements of the damper does not exclude the lag of its valve. On a grid of two settings,
+/// a note states what the times assume.
+#[test]
+fn a_poor_family_does_not_exclude_the_lag_of_its_valve() {
+    let mut valve = truth(None);
+    let times = [("setting_time_up", 8e-3), ("setting_time_down", 12e-3), ("setting_dead_time", 3e-3)];
+    for (name, value) in times {
+        let index = ENTRIES.iter().position(|entry| entry.name == name).unwrap();
+        valve.axis.set_number(index, value).unwrap();
+    }
+    let elements = ["fv_curve", "coulomb_friction", "gas_preload"].map(str::to_owned).to_vec();
+    let options = FitOptions { elements: Some(elements), ..FitOptions::default() };
+    let steps = stepped(&valve);
+    let fitted_at = |currents: &[f64]| {
+        let constant =
+            currents.iter().enumerate().flat_map(|(k, current)| records_at(&truth(None), *current, 21 + k as u64));
+        let records: Vec<Record> = constant.chain([steps.clone()]).collect();
+        fit_family(&records.iter().collect::<Vec<_>>(), "current", &options, |_| ()).unwrap()
+    };
+    let found = fitted_at(&CURRENTS);
+    let actuator = found.actuator.as_ref().unwrap();
+    let lag = actuator.parts.iter().find(|part| part.name == "lag").unwrap();
+    assert!(lag.is_present && lag.probability > 0.9, "{actuator:?}");
+    for (name, value) in times {
+        if let Some(Estimate { low: Some(low), high: Some(high), .. }) =
+            actuator.estimates.iter().find(|of| of.name == name)
+        {
+            assert!((*low..=*high).contains(&value), "{actuator:?}");
+        }
+    }
+    let assumes =
+        |found: &FamilyFit| found.notes.iter().any(|note| note.to_string().contains("assume that the force is linear"));
+    assert!(!assumes(&found) && assumes(&fitted_at(&[0.0, 1.2])), "{:?}", found.notes);
 }
 
 /// Simulates a sine test during which the current steps between 0 and 1.2 A every 0.5 s.

@@ -213,13 +213,38 @@ impl Search<'_> {
         let found: Vec<ActuatorRefit> = self
             .starts(form, from, is_far)
             .into_par_iter()
-            .filter_map(|start| match start {
-                Some(start) if is_far => problem.refit_from_far(&start, COMPARE),
-                start => problem.refit(start.as_deref(), COMPARE),
+            .flat_map_iter(|start| match start {
+                Some(start) => self.refits(&problem, &start, COMPARE, is_far),
+                None => problem.refit(None, COMPARE).into_iter().collect(),
             })
             .collect();
         let scored = found.into_iter().map(|refit| Trial { log_posterior: self.log_posterior(&refit), refit });
-        scored.reduce(|best, next| if next.log_posterior > best.log_posterior { next } else { best })
+        let whole = |trial: &Trial| trial.log_posterior - trial.refit.negative_log_prior_between;
+        scored.reduce(|best, next| if whole(&next) > whole(&best) { next } else { best })
+    }
+
+    /// Refits a form with free force errors, and with the forces of the family fixed. From a distant start, the fixed
+    /// forces come first.
+    fn refits(
+        &self,
+        problem: &ActuatorProblem,
+        start: &[f64],
+        effort: (usize, f64),
+        is_far: bool,
+    ) -> Vec<ActuatorRefit> {
+        let direct = if is_far { None } else { problem.refit(Some(start), effort) };
+        problem.refit_both(start, effort).into_iter().flatten().chain(direct).collect()
+    }
+
+    /// Returns the most probable refit of a form to convergence.
+    fn finish(&self, problem: &ActuatorProblem, start: &[f64]) -> Option<ActuatorRefit> {
+        let found = self.refits(problem, start, FINE, false).into_iter();
+        found.max_by(|a, b| self.log_posterior_of(a).total_cmp(&self.log_posterior_of(b)))
+    }
+
+    /// Returns the log posterior of a refit with the prior of all its force errors.
+    fn log_posterior_of(&self, refit: &ActuatorRefit) -> f64 {
+        self.log_posterior(refit) - refit.negative_log_prior_between
     }
 
     /// Returns the starts of a refit: several time constants if the form adds a lag to the other one.
@@ -337,9 +362,9 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         .filter(|(difference, _)| *difference > -RULED_OUT)
         .collect();
     let problem = ActuatorProblem::new(context, best);
-    let best = problem.refit(Some(&own.refit.theta), FINE)?;
+    let best = search.finish(&problem, &own.refit.theta)?;
     let best = problem.refit_place(best, FINE, &|refit| search.log_posterior(refit));
-    let timing = problem.timing_derivatives(&best.theta)?;
+    let timing = problem.timing_derivatives(&best)?;
     let without_errors_between = problem.refit_without_errors_between(&best.theta, FINE);
     Some(ActuatorSearch { best, parts, alternatives, without_errors_between, timing })
 }

@@ -200,7 +200,7 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
         Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
     };
     let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), AT_END, difference);
-    // A grid of two settings has no inner setting that can be left out, so its interpolation error counts as zero.
+    // A grid of two settings has no inner setting that can be left out, so its interpolation error counts as zero. A note says so.
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 
@@ -297,9 +297,13 @@ fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     }
 }
 
-/// Returns remarks on the actuator for the engineer. `name` is the name of the setting.
-pub fn notes(fit: &ActuatorFit, name: &str) -> Vec<Sentence> {
+/// Returns remarks on the actuator for the engineer. `name` is the name of the setting, and `grid` are its measured values.
+pub fn notes(fit: &ActuatorFit, name: &str, grid: &[f64]) -> Vec<Sentence> {
     let mut notes = Vec::new();
+    if let ([low, high], false) = (grid, fit.estimates.is_empty()) {
+        let note = Sentence::from(phrases::ACTUATOR_TWO_SETTINGS).with("setting", name);
+        notes.push(note.with("low", *low).with("high", *high));
+    }
     let open: Vec<&str> =
         fit.estimates.iter().filter(|e| e.standing == Standing::NotIdentified).map(|e| e.name).collect();
     if fit.estimates.is_empty() {
