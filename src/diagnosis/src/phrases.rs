@@ -39,6 +39,7 @@ dashpot_messages::phrases! {
     CHANGED_AT_ALL_SETTINGS: "{name} changed at every setting ({sure} sure)";
     CHANGED_AT_SOME_SETTINGS: "{name} changed at {names} ({sure} sure); at the other settings no change of it shows";
     CHANGED_AT_NO_SETTING: "nothing has changed that these records can name, at any setting";
+    SETTINGS_NOT_IN_MODEL: "the model was not measured at {names}: its numbers there are interpolated, and the diagnosis fits them to these records first. So it does not judge the interpolation; dashpot validate does";
     NO_NAME_AT_ALL_SETTINGS: "at every setting something is missing that has no name yet";
     NO_NAME_AT_SOME_SETTINGS: "at {names} something is missing that has no name yet";
     NEEDLESS: "nothing is missing; these records do not need {effects}";

@@ -223,6 +223,7 @@ axis-since-step = time since the step, ms
 axis-way = fraction of the way, -
 actuator-table = Numbers of the actuator, with 95 % intervals where a fit has left them.
 actuator-parts = What the valve has, with the probability that it does.
+undecided = undecided
 col-has-it = has it
 plot-hysteresis-setting = Hysteresis over the setting
 hysteresis-setting-caption = Force of the model at { $velocity } mm/s while the setting rises and falls slowly. The valve stands { $hysteresis } behind on the way up and ahead on the way down.

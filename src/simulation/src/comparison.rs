@@ -28,7 +28,7 @@ pub enum CompareError {
     FvOnly(String),
     /// A record does not state the setting on which the damper depends, and the user gives none.
     #[error(
-        "test '{test}' does not say its {name}, which the model depends on{}: give it with --setting, in the name of the test, or in campaign.toml under settings{}",
+        "test '{test}' does not say its {name}, which the model depends on{}: give it in the name of the test, with --column setting=HEADING if a column has it, in campaign.toml under settings, or for all tests with --setting{}",
         seen.as_ref().map_or_else(String::new, |seen| format!("; it says {seen}, which is another setting")),
         unread.as_ref().map_or_else(String::new, |note| format!("; {note}"))
     )]

@@ -5,8 +5,8 @@ use crate::warm_starts::WarmStarts;
 use dashpot_identification::family::LABEL_DOUBT_RATIO;
 use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Compared, SettingDoubt};
-use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
+use dashpot_records::{Record, is_same_setting};
 use rayon::prelude::*;
 
 /// Mean error of a test, relative to its largest force, up to which the setting of the test is not questioned.
@@ -23,7 +23,16 @@ const CANDIDATES: usize = 4;
 
 /// Returns doubts about the settings of records whose forces another setting predicts clearly better. Examines the records with the largest
 /// errors. `settings` contains the setting of each record, or `None` if the setting changes within it.
+///
+/// Between two settings of the grid the force is interpolated. An error there says more about the interpolation than about the label of the
+/// test, so such a test is not examined.
 pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[Option<f64>]) -> Vec<SettingDoubt> {
+    let grid = file.axis.grid();
+    let is_interpolated = |setting: f64| {
+        let is_inside =
+            grid.first().is_some_and(|low| *low < setting) && grid.last().is_some_and(|high| setting < *high);
+        is_inside && !grid.iter().any(|of| is_same_setting(*of, setting))
+    };
     let mut worst: Vec<(usize, f64, f64)> = compared
         .iter()
         .zip(settings)
@@ -31,7 +40,9 @@ pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[O
         .filter_map(|(place, (of, setting))| {
             let error = mean_error(of.record, &of.model);
             let top = of.record.force.iter().fold(0.0f64, |top, force| top.max(force.abs()));
-            setting.filter(|_| error > CLEAR * top).map(|setting| (place, setting, error))
+            setting
+                .filter(|setting| error > CLEAR * top && !is_interpolated(*setting))
+                .map(|setting| (place, setting, error))
         })
         .collect();
     if worst.is_empty() {
@@ -40,11 +51,8 @@ pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[O
     worst.sort_by(|a, b| b.2.total_cmp(&a.2));
     worst.truncate(EXAMINED);
     worst.sort_by_key(|of| of.0);
-    let grid = file.axis.grid();
-    let mut candidates: Vec<f64> = grid
-        .windows(2)
-        .flat_map(|pair| (0..CANDIDATES).map(|k| pair[0] + (pair[1] - pair[0]) * k as f64 / CANDIDATES as f64))
-        .collect();
+    let mut candidates: Vec<f64> =
+        grid.windows(2).flat_map(|pair| (0..CANDIDATES).map(|k| between(pair[0], pair[1], k))).collect();
     candidates.extend(grid.last());
     let records: Vec<&Record> = compared.iter().map(|of| of.record).collect();
     let warm = WarmStarts::new(&records);
@@ -66,6 +74,15 @@ pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[O
         })
     };
     worst.into_par_iter().filter_map(examine).collect()
+}
+
+/// Returns candidate `k` between two settings, with nine digits: 1.2 instead of 1.2000000000000002.
+fn between(low: f64, high: f64, k: usize) -> f64 {
+    if k == 0 {
+        return low;
+    }
+    let setting = low + (high - low) * k as f64 / CANDIDATES as f64;
+    format!("{setting:.8e}").parse().unwrap_or(setting)
 }
 
 fn mean_error(record: &Record, forces: &[f64]) -> f64 {

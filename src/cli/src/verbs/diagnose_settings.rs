@@ -8,7 +8,8 @@ use crate::progress::Progress;
 use anyhow::bail;
 use dashpot_core::family::{Axis, LARGEST_SETTING};
 use dashpot_diagnosis::settings::{
-    OverSettings, SettingFigures, SettingPart, SettingsFigures, WithSettings, is_shown, split_by_setting,
+    OverSettings, SettingFigures, SettingPart, SettingsFigures, WithSettings, describe_unmeasured, is_shown,
+    is_unmeasured, split_by_setting,
 };
 use dashpot_diagnosis::{Diagnosis, Options, choose_left_out};
 use dashpot_identification::AS_THE_FIT_SAW;
@@ -16,7 +17,7 @@ use dashpot_identification::FitOptions;
 use dashpot_identification::family::{fit_family, model_file};
 use dashpot_identification::model_file::{ModelFile, family_of_text, read_family};
 use dashpot_identification::setting_units::restate_settings;
-use dashpot_records::{Campaign, Record, agree_on_sign, hold_out, setting_in_words};
+use dashpot_records::{Campaign, Note, Record, agree_on_sign, hold_out, setting_in_words};
 use dashpot_report::diagnosis::{DiagnosisReport, SettingsReport, headline};
 use dashpot_report::inventory::probability;
 use dashpot_report::numbers::digits;
@@ -118,8 +119,16 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     let note = model.identification.right(campaign.records.iter_mut().chain(others));
     note.iter().for_each(|note| dashpot_output::warn(&format!("note: {}", note.text)));
     campaign.notes.extend(note);
-    let parts = split(args, &model, &campaign, good.as_ref(), given)?;
+    let mut parts = split(args, &model, &campaign, good.as_ref(), given)?;
     let unit = model.axis.unit();
+    let unmeasured: Vec<f64> =
+        parts.iter().map(|part| part.setting).filter(|setting| is_unmeasured(&model.axis, *setting)).collect();
+    if !unmeasured.is_empty() {
+        dashpot_output::warn(&format!("note: {}", describe_unmeasured(&model.axis, &unmeasured)));
+    }
+    for part in parts.iter_mut().filter(|part| unmeasured.contains(&part.setting)) {
+        part.campaign.notes.push(Note { kind: "settings", text: describe_unmeasured(&model.axis, &[part.setting]) });
+    }
     let priors = super::dimensions::priors(args.dimensions.as_deref())?;
     let mut found: Vec<(Part, Diagnosed)> = Vec::new();
     for mut part in parts {

@@ -6,8 +6,8 @@ use anyhow::bail;
 use dashpot_dimensions::{Explanation, explain, read};
 use dashpot_identification::family::at_setting;
 use dashpot_identification::model_file::ModelFile;
-use dashpot_messages::format_number;
 use dashpot_output::Kind;
+use dashpot_records::setting_in_words;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -62,8 +62,8 @@ fn damper(args: &Args) -> anyhow::Result<ModelFile> {
     let setting = setting.in_unit_of(&file.axis)?;
     let (low, high) = file.axis.range();
     if !(low..=high).contains(&setting) {
-        let [setting, low, high] = [setting, low, high].map(format_number);
-        bail!("the setting {setting} lies outside those of {path}, {low} to {high}");
+        let [setting, low, high] = [setting, low, high].map(|value| setting_in_words(value, file.axis.unit()));
+        bail!("the setting {setting} lies outside those of {path}, {low} to {high}: check its unit");
     }
     Ok(at_setting(&file, setting))
 }

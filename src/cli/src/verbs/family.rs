@@ -163,15 +163,11 @@ fn format_forces(of: &FamilyItem, axis: &SettingAxis) -> String {
     format!(" ({})", of.settings.iter().map(at).collect::<Vec<_>>().join(", "))
 }
 
-/// Probabilities at which the text calls the presence of an actuator's component undecided. The odds are then at most
-/// three to one.
-const UNDECIDED: std::ops::RangeInclusive<f64> = 0.25..=0.75;
-
 /// Formats the components and the parameters of the actuator.
 fn format_actuator(fit: &ActuatorFit) -> Vec<String> {
     let part = |of: &ActuatorDecision| {
         let word = match of.is_present {
-            _ if UNDECIDED.contains(&of.probability) => "undecided: ",
+            _ if of.is_undecided() => "undecided: ",
             true => "",
             false => "no ",
         };

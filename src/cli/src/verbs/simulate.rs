@@ -23,7 +23,7 @@ use std::path::PathBuf;
 /// the model. Displacement alone is differentiated by a cubic spline. Velocity alone is integrated. Noise of a measured displacement
 /// appears in the force, multiplied by the series stiffness. `dashpot validate` smooths the motion; `simulate` does not. The damper starts
 /// at rest at the first displacement, or in steady motion if the first velocity is not zero. The output has the columns time_s,
-/// displacement_m, velocity_m_s and force_N; tension is positive. For a damper over a setting it also has the setting, such as current_A. A
+/// displacement_m, velocity_m_s and force_N; extension and tension are positive, whatever --positive says of the motion file. For a damper over a setting it also has the setting, such as current_A. A
 /// damper over a setting uses the setting of the motion file, through its actuator. That is a column such as current [A], the column of
 /// --column setting=HEADING, or a setting in the file name. Between two samples the command is the mean of both. If the motion has no
 /// setting, --setting applies, or else the start setting of the model file.

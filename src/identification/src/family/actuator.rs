@@ -6,6 +6,7 @@ use super::left_out::SettingReport;
 use crate::intervals::{Estimate, Standing, Z};
 use crate::phrases;
 use crate::validation::SHORTEST_LEVEL;
+use dashpot_core::family::Axis;
 use dashpot_core::family::Definition;
 use dashpot_core::family::axis::{ENTRIES, index_of};
 use dashpot_estimation::deviations::{considered_shift, grouped_covariance, robust_covariance};
@@ -16,7 +17,7 @@ use dashpot_estimation::family::structure::FamilyStructure;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::structure::alternatives::Part;
 use dashpot_messages::Sentence;
-use dashpot_records::{Record, is_same_setting};
+use dashpot_records::{Record, is_same_setting, setting_in_words};
 use serde::Serialize;
 
 /// Ratio of root mean square to mean absolute value of a normally distributed error.
@@ -38,6 +39,13 @@ pub struct ActuatorDecision {
     pub is_present: bool,
     /// Probability that the valve has the part.
     pub probability: f64,
+}
+
+impl ActuatorDecision {
+    /// Returns whether the records leave open if the valve has the part: the odds are at most three to one.
+    pub fn is_undecided(&self) -> bool {
+        (0.25..=0.75).contains(&self.probability)
+    }
 }
 
 /// Actuator identified from records.
@@ -274,7 +282,9 @@ fn mix_interval(estimate: &mut Estimate, others: &[(f64, Vec<Estimate>)]) {
     };
     estimate.mix(others.iter().map(|(weight, all)| part(*weight, all.iter().find(|of| of.name == name))));
     // The mixed interval is that of a normal distribution, which may extend beyond the bounds of the number.
-    estimate.low = estimate.low.map(|end| within_bounds(name, end));
+    // An end of a millionth of the value is a bound of zero that the mixture misses by its rounding.
+    let rounded = |end: f64| if end.abs() < 1e-6 * estimate.value.abs() { 0.0 } else { end };
+    estimate.low = estimate.low.map(|end| within_bounds(name, rounded(end)));
     estimate.high = estimate.high.map(|end| within_bounds(name, end));
 }
 
@@ -297,12 +307,12 @@ fn entry_unit(unit: &'static str, of_setting: &str) -> &'static str {
     }
 }
 
-/// Returns remarks on the actuator for the engineer. `name` is the name of the setting, and `grid` are its measured values.
-pub fn notes(fit: &ActuatorFit, name: &str, grid: &[f64]) -> Vec<Sentence> {
+/// Returns remarks on the actuator for the engineer. `name` is the name of the setting, and `axis` has its measured values.
+pub fn notes(fit: &ActuatorFit, name: &str, axis: &Axis) -> Vec<Sentence> {
     let mut notes = Vec::new();
-    if let ([low, high], false) = (grid, fit.estimates.is_empty()) {
+    if let ([low, high], false) = (axis.grid(), fit.estimates.is_empty()) {
         let note = Sentence::from(phrases::ACTUATOR_TWO_SETTINGS).with("setting", name);
-        notes.push(note.with("low", *low).with("high", *high));
+        notes.push(note.with("low", *low).with("high", setting_in_words(*high, axis.unit())));
     }
     let open: Vec<&str> =
         fit.estimates.iter().filter(|e| e.standing == Standing::NotIdentified).map(|e| e.name).collect();

@@ -214,7 +214,7 @@ pub fn fit_family(
     notes.extend(doubts);
     notes.extend(worse_than_alone(&reports, &axis));
     notes.extend(selection);
-    notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name, damper.axis.grid())));
+    notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name, &damper.axis)));
     notes.extend(coverage_notes(&segments(&constant), &damper.params));
     notes.extend(measured.iter().map(Measured::in_words));
     let scored: usize = all.iter().flat_map(|t| &t.allowed).filter(|a| a.is_finite()).count();

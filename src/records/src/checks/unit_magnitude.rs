@@ -29,12 +29,10 @@ pub(crate) fn reject(records: &[Record], options: &Options) -> Result<(), Record
     // If most tests have an implausible current, the unit of the whole logger is wrong. The few small currents are then
     // those of a valve without current.
     let is_of_few = large.len() <= small.len();
-    if largest > MOST_CURRENT
-        && usual > 0.0
-        && is_of_few
-        && !insisted(Channel::Current)
-        && options.settings.name.is_none()
-    {
+    // If the user names another setting than the current, values called a current are none.
+    let is_current = options.settings.name.as_deref().is_none_or(|name| name == "current");
+    let is_questioned = is_current && !insisted(Channel::Current);
+    if largest > MOST_CURRENT && usual > 0.0 && is_of_few && is_questioned {
         let other = records.iter().find(|record| largest_current(record) > MOST_CURRENT).unwrap_or(fastest);
         return Err(PlausibilityError::MixedCurrent {
             record: other.source.clone(),
@@ -44,7 +42,7 @@ pub(crate) fn reject(records: &[Record], options: &Options) -> Result<(), Record
         }
         .into());
     }
-    if largest > MOST_CURRENT && !insisted(Channel::Current) && options.settings.name.is_none() {
+    if largest > MOST_CURRENT && is_questioned {
         let evidence = Sentence::from(phrases::TOO_MUCH_CURRENT).with("current", format_decimals(largest, 0));
         return slip(Channel::Current, Unit::Ampere, Unit::Milliampere, evidence);
     }
@@ -213,6 +211,15 @@ mod tests {
         assert!(at(800.0, &none).contains("--unit current=mA, or --unit current=A to insist"), "{}", at(800.0, &none));
         assert!(at(-1600.0, &none).contains("1600 A"));
         assert_eq!([at(10.0, &none), at(800.0, &insists)], ["", ""]);
+        // A profile that names the current and its unit does not say how a file wrote it.
+        let named = |name: &str| {
+            let mut options = Options::default();
+            options.settings.name = Some(name.into());
+            options.settings.unit = "A".into();
+            options
+        };
+        assert!(at(800.0, &named("current")).contains("--unit current=mA"));
+        assert_eq!(at(800.0, &named("opening")), "");
         // If only one file deviates, the unit of all files is not at fault.
         let mut records = campaign(2000.0, 50.0, &USUAL, [1.0; 3]);
         let set = |records: &mut [Record], values: [f64; 3]| {

@@ -164,6 +164,7 @@ fn actuator(model: &ModelFile, words: &Words) -> Option<Table> {
 fn parts(parts: &[ActuatorDecision], words: &Words) -> Table {
     let row = |of: &ActuatorDecision| -> Vec<Cell> {
         let how = if of.is_present { words.yes } else { words.no };
+        let how = if of.is_undecided() { format!("{how} ({})", words.undecided) } else { how.to_owned() };
         vec![of.name.into(), how.into(), Cell::digits(of.probability, 2)]
     };
     let columns =

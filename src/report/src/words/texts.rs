@@ -206,6 +206,7 @@ dashpot_messages::interface! {
         actuator_table,
         actuator_parts,
         col_has_it,
+        undecided,
         plot_hysteresis_setting,
         hysteresis_setting_caption(velocity hysteresis),
         way_up,

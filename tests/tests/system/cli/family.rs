@@ -223,6 +223,32 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 2);
 }
 
+/// Checks what is said of a setting between two settings of the model, and outside of them.
+#[test]
+fn an_interpolated_setting_is_called_interpolated() {
+    let folder = tempfile::tempdir().unwrap();
+    let dir = folder.path();
+    write_model(&dir.join("family.toml"));
+    let at = |setting: &str| run(dir, &["setting", "family.toml", setting, "-o", "one.toml"]).err;
+    assert!(at("0.9").contains("0.9 A lies between the settings 0.6 A and 1.2 A"), "{}", at("0.9"));
+    assert!(!at("0.6").contains("interpolated"), "{}", at("0.6"));
+    assert!(
+        at("600").contains("600 A lies outside those of family.toml, 0 A to 1.2 A: check its unit"),
+        "{}",
+        at("600")
+    );
+    // The damper between two settings is stronger than the model's. The label of such a test is not doubted, and the diagnosis does not
+    // acquit the interpolation.
+    let mut strong = damper().params_at(0.9);
+    let forces: Vec<f64> = strong.list(list!("fv_force")).iter().map(|force| 1.25 * force).collect();
+    strong.set_list(list!("fv_force"), &forces).unwrap();
+    write_of(&strong, &dir.join("between"), "_0.9A", 5);
+    let said = run(dir, &["validate", "family.toml", "between"]);
+    assert!(said.out.contains("0.9 A, interpolated") && !said.err.contains("Check the setting"), "{said:?}");
+    let said = run(dir, &["diagnose", "family.toml", "between", "--candidates", "free_play"]);
+    assert!(said.err.contains("was not measured at 0.9 A: its numbers there are interpolated"), "{said:?}");
+}
+
 #[test]
 fn friction_that_was_added_at_all_settings_is_one_change_against_the_reference() {
     let folder = tempfile::tempdir().unwrap();
