@@ -55,6 +55,7 @@ mod tests {
         };
         let mut params = Params::new();
         params.disable_all();
+        params.enable(element!("fv_curve"), true);
         params.enable(element!("oil_compressibility"), true);
         params.enable(element!("gas_preload"), true);
         let none = PriorSet::default();

@@ -94,8 +94,8 @@ fn workbook(sheets: usize, data: &str, others: &[(&str, String)]) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
-/// Runs `files`, which reads files in a folder, in a process of its own, in which the limit of memory and the processor time are those of one
-/// file. So two tests run side by side.
+/// Runs `files`, which reads files in a folder, in a process of its own. So two tests can run side by side, because memory and processor
+/// time of a process are those of one file.
 fn in_own_process(test: &str, files: fn(&Path)) {
     const INNER: &str = "DASHPOT_COSTLY_FILES";
     if std::env::var_os(INNER).is_some() {

@@ -1301,7 +1301,7 @@ records-settings = Nach ihren Kräften gehören zusammen, von weich bis hart: { 
 records-setting = { $number }) { $names }
 records-setting-all = alle von '{ $name }' ({ $count })
 records-setting-open = ; von { $names } sagt es die Kraft nicht
-records-zero-off = Die Kraft von { $tests } liegt bei gleichen Geschwindigkeiten { $low } bis { $high } N neben der der anderen Versuche, in beiden Richtungen gleich: der Nullpunkt der Kraftmessdose hat sich verschoben, oder das Gas war wärmer. Den Nullpunkt vor jedem Versuch setzen; Reibung und Gaskraft leiden darunter
+records-zero-off = Die Kraft von { $tests } liegt bei gleichen Geschwindigkeiten { $low } bis { $high } N neben der der anderen Versuche, in beiden Richtungen gleich: der Nullpunkt der Kraftmessdose hat sich verschoben, das Gas war wärmer, oder ein verstellbarer Dämpfer war anders eingestellt. Den Nullpunkt vor jedem Versuch setzen; Reibung und Gaskraft leiden darunter
 records-given = { $direction } positiv war angegeben
 records-against-given = { $direction } positiv war angegeben, aber die Daten sprechen für das Gegenteil: { $reasons }
 

@@ -1337,7 +1337,7 @@ records-settings = D’après leurs efforts vont ensemble, du plus souple au plu
 records-setting = { $number }) { $names }
 records-setting-all = tous ceux de '{ $name }' ({ $count })
 records-setting-open = { " " }; pour { $names }, l’effort ne le dit pas
-records-zero-off = la force de { $tests } s’écarte de { $low } à { $high } N de celle des autres essais à vitesses pareilles, autant dans les deux sens : le zéro du capteur de force s’est déplacé, ou le gaz était plus chaud. Régler le zéro avant chaque essai ; frottement et force de gaz en souffrent
+records-zero-off = la force de { $tests } s’écarte de { $low } à { $high } N de celle des autres essais à vitesses pareilles, autant dans les deux sens : le zéro du capteur de force s’est déplacé, le gaz était plus chaud, ou un amortisseur réglable avait un autre réglage. Régler le zéro avant chaque essai ; frottement et force de gaz en souffrent
 records-given = { $direction } positive a été indiquée
 records-against-given = { $direction } positive a été indiquée, mais les données indiquent l’inverse : { $reasons }
 

@@ -1154,7 +1154,7 @@ records-settings = 按力归类，由软到硬：{ $settings }{ $open }
 records-setting = { $number }) { $names }
 records-setting-all = '{ $name }' 的全部（{ $count }）
 records-setting-open = ；{ $names } 从力上无法判断
-records-zero-off = 在相同速度下，{ $tests } 的力与其他试验相差 { $low } 至 { $high } N，两个方向相同：力传感器零点已移动，或气体更热。请在每次试验前调零；否则摩擦力与气体力会受影响
+records-zero-off = 在相同速度下，{ $tests } 的力与其他试验相差 { $low } 至 { $high } N，两个方向相同：力传感器零点已移动，气体更热，或可调减振器处于其他设置。请在每次试验前调零；否则摩擦力与气体力会受影响
 records-given = 已给定{ $direction }为正
 records-against-given = 已给定{ $direction }为正，但数据说明相反：{ $reasons }
 

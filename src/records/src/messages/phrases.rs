@@ -140,7 +140,7 @@ dashpot_messages::phrases! {
     SETTING: "{number}) {names}";
     SETTING_ALL: "all of '{name}' ({count})";
     SETTING_OPEN: "; of {names} the force does not tell it";
-    ZERO_OFF: "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, or the gas was warmer. Set the zero before each test; friction and gas force suffer";
+    ZERO_OFF: "the force of {tests} lies {low} to {high} N off that of the other tests at like velocities, the same in both directions: the zero of the load cell moved, the gas was warmer, or an adjustable damper had another setting. Set the zero before each test; friction and gas force suffer";
     GIVEN: "{direction} positive was given";
     AGAINST_GIVEN: "{direction} positive was given, but the data speak for the opposite: {reasons}";
     // Parts that a campaign leaves out.
