@@ -3,7 +3,8 @@
 use anyhow::bail;
 use dashpot_core::family::{Axis, LARGEST_SETTING};
 use dashpot_messages::format_number;
-use dashpot_records::{Dimension, Unit, setting_factor, split_unit};
+use dashpot_records::{Dimension, Unit, setting_factor, setting_in_words, split_unit};
+use std::path::Path;
 use std::str::FromStr;
 
 /// Parses a time such as `0.005`, `5ms` or `5 ms`. Returns seconds.
@@ -63,6 +64,20 @@ impl FromStr for SettingText {
 }
 
 impl SettingText {
+    /// Converts the value to the unit of a damper's setting. `model` is the damper's model file.
+    ///
+    /// # Errors
+    /// Returns the errors of [`SettingText::in_unit_of`], or the value lies outside the damper's settings.
+    pub fn within(&self, axis: &Axis, model: &Path) -> anyhow::Result<f64> {
+        let setting = self.in_unit_of(axis)?;
+        let (low, high) = axis.range();
+        if !(low..=high).contains(&setting) {
+            let [setting, low, high] = [setting, low, high].map(|value| setting_in_words(value, axis.unit()));
+            bail!("the setting {setting} lies outside those of {}, {low} to {high}: check its unit", model.display());
+        }
+        Ok(setting)
+    }
+
     /// Converts the value to the unit of a damper's setting.
     ///
     /// # Errors

@@ -36,11 +36,6 @@ pub struct WithSettings<'a> {
     pub settings: &'a [Option<f64>],
 }
 
-/// Returns whether an adjustable damper was not measured at a setting, so that its numbers there are interpolated or clamped.
-pub fn is_unmeasured(axis: &Axis, setting: f64) -> bool {
-    !axis.grid().iter().any(|of| is_same_setting(*of, setting))
-}
-
 /// States that the diagnosis does not judge the interpolation of the damper at `settings`.
 pub fn describe_unmeasured(axis: &Axis, settings: &[f64]) -> Sentence {
     let names = settings.iter().map(|setting| setting_in_words(*setting, axis.unit()));

@@ -2,11 +2,11 @@
 
 use crate::prediction::predict;
 use crate::warm_starts::WarmStarts;
-use dashpot_identification::family::LABEL_DOUBT_RATIO;
+use dashpot_identification::family::{LABEL_DOUBT_RATIO, interpolated_between};
 use dashpot_identification::model_file::{ModelFile, prepared};
 use dashpot_identification::validation::{Compared, SettingDoubt};
+use dashpot_records::Record;
 use dashpot_records::smoothing::smooth;
-use dashpot_records::{Record, is_same_setting};
 use rayon::prelude::*;
 
 /// Mean error of a test, relative to its largest force, up to which the setting of the test is not questioned.
@@ -28,11 +28,6 @@ const CANDIDATES: usize = 4;
 /// test, so such a test is not examined.
 pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[Option<f64>]) -> Vec<SettingDoubt> {
     let grid = file.axis.grid();
-    let is_interpolated = |setting: f64| {
-        let is_inside =
-            grid.first().is_some_and(|low| *low < setting) && grid.last().is_some_and(|high| setting < *high);
-        is_inside && !grid.iter().any(|of| is_same_setting(*of, setting))
-    };
     let mut worst: Vec<(usize, f64, f64)> = compared
         .iter()
         .zip(settings)
@@ -41,7 +36,7 @@ pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[O
             let error = mean_error(of.record, &of.model);
             let top = of.record.force.iter().fold(0.0f64, |top, force| top.max(force.abs()));
             setting
-                .filter(|setting| error > CLEAR * top && !is_interpolated(*setting))
+                .filter(|setting| error > CLEAR * top && interpolated_between(grid, *setting).is_none())
                 .map(|setting| (place, setting, error))
         })
         .collect();

@@ -9,12 +9,12 @@ use anyhow::bail;
 use dashpot_core::family::{Axis, LARGEST_SETTING};
 use dashpot_diagnosis::settings::{
     OverSettings, SettingFigures, SettingPart, SettingsFigures, WithSettings, describe_unmeasured, is_shown,
-    is_unmeasured, split_by_setting,
+    split_by_setting,
 };
 use dashpot_diagnosis::{Diagnosis, Options, choose_left_out};
 use dashpot_identification::AS_THE_FIT_SAW;
 use dashpot_identification::FitOptions;
-use dashpot_identification::family::{fit_family, model_file};
+use dashpot_identification::family::{fit_family, is_of_grid, model_file};
 use dashpot_identification::model_file::{ModelFile, family_of_text, read_family};
 use dashpot_identification::setting_units::restate_settings;
 use dashpot_records::{Campaign, Note, Record, agree_on_sign, hold_out, setting_in_words};
@@ -121,8 +121,8 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     campaign.notes.extend(note);
     let mut parts = split(args, &model, &campaign, good.as_ref(), given)?;
     let unit = model.axis.unit();
-    let unmeasured: Vec<f64> =
-        parts.iter().map(|part| part.setting).filter(|setting| is_unmeasured(&model.axis, *setting)).collect();
+    let of_parts = parts.iter().map(|part| part.setting);
+    let unmeasured: Vec<f64> = of_parts.filter(|setting| !is_of_grid(model.axis.grid(), *setting)).collect();
     if !unmeasured.is_empty() {
         dashpot_output::warn(&format!("note: {}", describe_unmeasured(&model.axis, &unmeasured)));
     }

@@ -7,7 +7,6 @@ use dashpot_dimensions::{Explanation, explain, read};
 use dashpot_identification::family::at_setting;
 use dashpot_identification::model_file::ModelFile;
 use dashpot_output::Kind;
-use dashpot_records::setting_in_words;
 use serde::Serialize;
 use std::path::{Path, PathBuf};
 
@@ -59,12 +58,7 @@ fn damper(args: &Args) -> anyhow::Result<ModelFile> {
     if !file.axis.is_some() {
         bail!("{path} depends on no setting; leave --setting out");
     }
-    let setting = setting.in_unit_of(&file.axis)?;
-    let (low, high) = file.axis.range();
-    if !(low..=high).contains(&setting) {
-        let [setting, low, high] = [setting, low, high].map(|value| setting_in_words(value, file.axis.unit()));
-        bail!("the setting {setting} lies outside those of {path}, {low} to {high}: check its unit");
-    }
+    let setting = setting.within(&file.axis, &args.model)?;
     Ok(at_setting(&file, setting))
 }
 

@@ -3,9 +3,9 @@
 use super::model;
 use crate::quantity::SettingText;
 use anyhow::bail;
-use dashpot_identification::family::at_setting;
+use dashpot_identification::family::{at_setting, interpolated_between};
 use dashpot_identification::model_file::with_tables;
-use dashpot_records::{is_same_setting, setting_in_words};
+use dashpot_records::setting_in_words;
 use std::path::PathBuf;
 
 /// Evaluate an adjustable damper at one setting, and write the result as an ordinary damper
@@ -35,20 +35,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     if !file.axis.is_some() {
         bail!("{} depends on no setting; it is an ordinary damper already", args.model.display());
     }
-    let setting = args.setting.in_unit_of(&file.axis)?;
-    let (low, high) = file.axis.range();
-    if !(low..=high).contains(&setting) {
-        let [setting, low, high] = [setting, low, high].map(|value| setting_in_words(value, file.axis.unit()));
-        bail!("the setting {setting} lies outside those of {}, {low} to {high}: check its unit", args.model.display());
-    }
+    let setting = args.setting.within(&file.axis, &args.model)?;
     let named = args.model.file_name().unwrap_or_default().to_string_lossy();
     let remark = format!("{named} at {}", model::setting_at(&file.axis, setting));
     let text = with_tables(&at_setting(&file, setting), std::slice::from_ref(&remark))?;
     dashpot_output::write(&args.output, text)?;
     let unit = file.axis.unit();
-    let neighbors = file.axis.grid().windows(2).find(|pair| pair[0] < setting && setting < pair[1]);
-    let neighbors = neighbors.filter(|pair| !pair.iter().any(|of| is_same_setting(*of, setting)));
-    if let Some([low, high]) = neighbors.map(|pair| [pair[0], pair[1]].map(|value| setting_in_words(value, unit))) {
+    if let Some(neighbors) = interpolated_between(file.axis.grid(), setting) {
+        let [low, high] = neighbors.map(|value| setting_in_words(value, unit));
         let here = setting_in_words(setting, unit);
         dashpot_output::warn(&format!(
             "note: {here} lies between the settings {low} and {high} of the model file, and its force is interpolated. \

@@ -218,9 +218,7 @@ impl Search<'_> {
                 None => problem.refit(None, COMPARE).into_iter().collect(),
             })
             .collect();
-        let scored = found.into_iter().map(|refit| Trial { log_posterior: self.log_posterior(&refit), refit });
-        let whole = |trial: &Trial| trial.log_posterior - trial.refit.negative_log_prior_between;
-        scored.reduce(|best, next| if whole(&next) > whole(&best) { next } else { best })
+        self.most_probable(found)
     }
 
     /// Refits a form with free force errors, and with the forces of the family fixed. From a distant start, the fixed
@@ -236,15 +234,11 @@ impl Search<'_> {
         problem.refit_both(start, effort).into_iter().flatten().chain(direct).collect()
     }
 
-    /// Returns the most probable refit of a form to convergence.
-    fn finish(&self, problem: &ActuatorProblem, start: &[f64]) -> Option<ActuatorRefit> {
-        let found = self.refits(problem, start, FINE, false).into_iter();
-        found.max_by(|a, b| self.log_posterior_of(a).total_cmp(&self.log_posterior_of(b)))
-    }
-
-    /// Returns the log posterior of a refit with the prior of all its force errors.
-    fn log_posterior_of(&self, refit: &ActuatorRefit) -> f64 {
-        self.log_posterior(refit) - refit.negative_log_prior_between
+    /// Returns the refit with the highest log posterior, which includes the prior of all its force errors.
+    fn most_probable(&self, refits: Vec<ActuatorRefit>) -> Option<Trial> {
+        let trials = refits.into_iter().map(|refit| Trial { log_posterior: self.log_posterior(&refit), refit });
+        let whole = |trial: &Trial| trial.log_posterior - trial.refit.negative_log_prior_between;
+        trials.reduce(|best, next| if whole(&next) > whole(&best) { next } else { best })
     }
 
     /// Returns the starts of a refit: several time constants if the form adds a lag to the other one.
@@ -362,7 +356,7 @@ pub fn search_actuator(context: &ActuatorContext, progress: &(dyn Fn(f64) + Sync
         .filter(|(difference, _)| *difference > -RULED_OUT)
         .collect();
     let problem = ActuatorProblem::new(context, best);
-    let best = search.finish(&problem, &own.refit.theta)?;
+    let best = search.most_probable(search.refits(&problem, &own.refit.theta, FINE, false))?.refit;
     let best = problem.refit_place(best, FINE, &|refit| search.log_posterior(refit));
     let timing = problem.timing_derivatives(&best)?;
     let without_errors_between = problem.refit_without_errors_between(&best.theta, FINE);

@@ -9,6 +9,7 @@ use dashpot_core::family::axis::ENTRIES;
 use dashpot_core::list;
 use dashpot_core::parameter::Number;
 use dashpot_messages::{Kept, Sentence};
+use dashpot_records::is_same_setting;
 
 /// Returns the ordinary damper at a setting, with the 95 % intervals that hold at this setting.
 ///
@@ -55,6 +56,17 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     }
     let (specified, edited) = (file.specified.clone(), file.edited.clone());
     ModelFile { params, axis: Axis::NONE, identification, specified, edited }
+}
+
+/// Returns whether a setting is one of a damper's grid, so that its numbers were measured and not interpolated.
+pub fn is_of_grid(grid: &[f64], setting: f64) -> bool {
+    grid.iter().any(|of| is_same_setting(*of, setting))
+}
+
+/// Returns the two settings of the grid between which a damper is interpolated; `None` on the grid and outside of it.
+pub fn interpolated_between(grid: &[f64], setting: f64) -> Option<[f64; 2]> {
+    let pair = grid.windows(2).find(|pair| pair[0] < setting && setting < pair[1])?;
+    (!is_of_grid(pair, setting)).then(|| [pair[0], pair[1]])
 }
 
 /// Position of a setting on a grid, with the indices of the neighboring settings of the grid below and above it.

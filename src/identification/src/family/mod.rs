@@ -27,7 +27,7 @@ mod settings;
 
 pub use actuator::{ActuatorDecision, ActuatorFit};
 pub use actuator_numbers::{ActuatorNumber, actuator_numbers};
-pub use at_setting::at_setting;
+pub use at_setting::{at_setting, interpolated_between, is_of_grid};
 pub use figures::FamilyFigures;
 pub use fit::{FamilyEstimate, FamilyFit, FamilyItem, ForceAtSetting, SettingDependence, fit_family};
 pub use left_out::{SettingError, SettingReport, WorstLeftOut};

@@ -7,6 +7,7 @@ use super::matrix::ErrorMatrix;
 use super::of_test::TestValidation;
 use super::response::StepResponse;
 use super::setting_doubt::SettingDoubt;
+use crate::family::is_of_grid;
 use crate::limits::Certificate;
 use dashpot_messages::Sentence;
 use dashpot_records::{Unusable, is_same_setting};
@@ -109,7 +110,7 @@ impl Validation {
         let of = |run: &[usize]| {
             let errors: Vec<Errors> = run.iter().map(|place| self.tests[*place].errors).collect();
             let setting = settings[run[0]];
-            let is_of_grid = grid.iter().any(|value| is_same_setting(*value, setting));
+            let is_of_grid = is_of_grid(grid, setting);
             let summary = Summary { tests: errors.len(), errors: Errors::mean(&errors)? };
             Some(SettingSummary { setting, is_of_grid, summary, places: run.to_vec() })
         };
