@@ -134,7 +134,7 @@ fn a_family_is_explained_at_a_setting_with_the_intervals_there() {
     let told = refused(folder.path(), &explain);
     assert!(told.contains("m.toml is a damper over a setting: say at which to explain it, as --setting 0"), "{told}");
     let told = refused(folder.path(), &[&explain[..], &["--setting", "1.5"]].concat());
-    assert!(told.contains("outside those of m.toml, 0 to 1"), "{told}");
+    assert!(told.contains("outside those of m.toml, 0 A to 1 A"), "{told}");
     done(folder.path(), &[&explain[..], &["--setting", "0.5", "--json", "e.json"]].concat());
     let found = json(&folder.path().join("e.json"));
     let pressure = quantity(&found, "gas_pressure");
