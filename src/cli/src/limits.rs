@@ -1,7 +1,7 @@
 //! Text output of `dashpot validate --limits`. `dashpot_identification::limits` compares the damper with its limits.
 
 use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR, Overall, Quantity, Verdict};
-use dashpot_messages::format_number;
+use dashpot_records::setting_in_words;
 use dashpot_report::numbers::digits;
 
 /// Formats the checked limits of a damper as text: a row for every limit, and the overall verdict.
@@ -65,7 +65,9 @@ const LEAST: usize = 28;
 /// Formats the name of a limit with its unit and its setting.
 fn name_of(limit: &Limit) -> String {
     let (unit, _) = limit.quantity.display();
-    let at = limit.setting.map_or_else(String::new, |value| format!(", at setting {}", format_number(value)));
+    let at = limit
+        .setting
+        .map_or_else(String::new, |value| format!(", at setting {}", setting_in_words(value, &limit.setting_unit)));
     format!("{}, {unit}{at}", limit.name)
 }
 
@@ -98,9 +100,8 @@ fn row(one: &Checked) -> String {
     });
     // The limit applies to every such step, so only the slowest one is named.
     let step = one.measured.as_ref().and_then(|value| value.step);
-    let step = step.map_or_else(String::new, |(from, to)| {
-        format!(" (slowest: from {} to {})", format_number(from), format_number(to))
-    });
+    let at = |value: f64| setting_in_words(value, &one.limit.setting_unit);
+    let step = step.map_or_else(String::new, |(from, to)| format!(" (slowest: from {} to {})", at(from), at(to)));
     format!(
         "{:>12}{:>12}{:>12}{:>12}{:>12}  {verdict}{step}{unsure}{damping}",
         known(velocity_m_s.map(|v| 1e3 * v), 1),

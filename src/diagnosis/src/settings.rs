@@ -6,6 +6,7 @@ use crate::phrases;
 use dashpot_core::Params;
 use dashpot_core::family::{Axis, Definition};
 use dashpot_estimation::structure::inventory::{InventoryItem, Status};
+use dashpot_identification::family::is_of_grid;
 use dashpot_messages::Sentence;
 use dashpot_messages::Template;
 use dashpot_records::{Record, Unusable, is_same_setting, setting_in_words};
@@ -92,11 +93,18 @@ struct AxisFigures<'a> {
 /// single setting.
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingFigures<D> {
-    /// Value of the setting.
-    pub setting: f64,
-    /// Diagnosis at this setting.
+    setting: f64,
+    /// Whether the model was not measured at this setting. The diagnosis does not judge the interpolation then.
+    interpolated: bool,
     #[serde(flatten)]
-    pub diagnosis: D,
+    diagnosis: D,
+}
+
+impl<D> SettingFigures<D> {
+    /// Collects the diagnosis at a setting of a damper with this axis.
+    pub fn new(axis: &Axis, setting: f64, diagnosis: D) -> SettingFigures<D> {
+        SettingFigures { setting, interpolated: !is_of_grid(axis.grid(), setting), diagnosis }
+    }
 }
 
 /// Results of a diagnosis at several settings, in the form that `dashpot diagnose` writes and Python reads.

@@ -74,6 +74,7 @@ dashpot_messages::phrases! {
     CHANGING_SETTING: "tests whose setting changes";
     NO_ACTUATOR: "the {count|test|# tests} whose {setting} changes {count|shows|show} no actuator: the force follows the command within samples and noise";
     ACTUATOR_OPEN: "the records do not determine {names}: the values are those that valves usually show";
+    ACTUATOR_VAGUE: "the tests leave {names} uncertain by more than {width} ms. Add steps of the {setting}, up and down, between several pairs of settings, in a fast motion";
     ACTUATOR_TWO_SETTINGS: "the times of the valve assume that the force is linear over the {setting} between {low} and {high}: a curved force makes them wrong beyond their intervals. Measure a setting between these two";
     FAMILY_SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all: at most {most} of each setting and {changing} whose setting changes. They have every amplitude, speed, mean displacement, temperature and side force. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_INTERVAL_BETWEEN: "{names}: no interval here, between two settings; a fit at three or more settings shows how far interpolation is off";

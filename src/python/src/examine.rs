@@ -138,14 +138,10 @@ pub fn diagnose_family<'py>(
         let answers: Vec<(f64, &Diagnosis)> = found.iter().map(|(setting, one, _)| (*setting, one)).collect();
         let over = OverSettings::new(&answers, unit, good.is_some());
         let as_the_fit_saw = note.as_ref().map(|n| &n.text);
-        let figures = found.iter().map(|(setting, one, over_whole_records)| SettingFigures {
-            setting: *setting,
-            diagnosis: DiagnosisJson {
-                found: one,
-                over_whole_records: *over_whole_records,
-                as_the_fit_saw,
-                unusable: &[],
-            },
+        let figures = found.iter().map(|(setting, one, over_whole_records)| {
+            let over_whole_records = *over_whole_records;
+            let diagnosis = DiagnosisJson { found: one, over_whole_records, as_the_fit_saw, unusable: &[] };
+            SettingFigures::new(&file.axis, *setting, diagnosis)
         });
         let beside = (as_the_fit_saw, read.unusable.as_slice());
         let json = serde_json::to_string(&SettingsFigures::new(&file.axis, &over, figures.collect(), beside))?;

@@ -107,6 +107,7 @@ def test_fit_and_validation_are_those_of_the_command(command: Command) -> None:
         dashpot.fit(campaign, setting="current", family="fv")
     command("diagnose", "family.toml", "semi_active", "--max-effects", "1", "--json", "found.json")
     found = dashpot.diagnose(family, campaign, max_effects=1)
+    assert not any(one.interpolated for one in found.settings)
     assert found.to_dict() == command.json("found.json")
     assert [one.setting for one in found.settings] == [0.0, 0.8, 1.6] and found[0.8].verdict == found.settings[1].verdict
     assert found.settings[0].curves(found.settings[0].tests[0].test)["measured"].shape

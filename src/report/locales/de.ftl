@@ -394,6 +394,7 @@ quality-good = Gute Anpassung
 quality-fair = Mäßige Anpassung
 quality-poor = Schlechte Anpassung
 quality-beside-noise = das { $ratio }-Fache des Rauschens der Messungen ({ $noise } N)
+quality-beyond-noise = das { $ratio }-Fache des Rauschens der Messungen ({ $noise } N), die Versuche zeigen also mehr, als das Modell enthält
 quality-noise-unknown = das Rauschen dieser Messungen ist nicht bekannt
 quality-curve-worse = die FV-Kurve allein verfehlt sie um { $error } N ({ $percent } %), { $ratio }-mal so viel
 quality-curve-no-worse = die FV-Kurve allein ist etwa gleich gut oder besser, { $error } N ({ $percent } %)
@@ -1668,6 +1669,7 @@ identification-no-actuator = { $count ->
        *[other] zeigen
     } keinen Steller: die Kraft folgt dem Befehl innerhalb von Abtastung und Rauschen
 identification-actuator-open = die Messungen bestimmen { $names } nicht: die Werte sind solche, wie Ventile sie meist zeigen
+identification-actuator-vague = die Versuche lassen { $names } um mehr als { $width } ms unsicher. Sprünge von { $setting } nach oben und unten zwischen mehreren Paaren von Einstellungen bei schneller Bewegung ergänzen
 identification-actuator-two-settings = die Zeiten des Ventils setzen voraus, dass die Kraft zwischen { $low } und { $high } linear von { $setting } abhängt: eine gekrümmte Kraft verfälscht sie über ihre Intervalle hinaus. Eine Einstellung dazwischen messen
 identification-family-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, höchstens { $most } je Einstellung und { $changing } mit wechselnder Einstellung, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
 identification-no-interval-between = { $names }: hier, zwischen zwei Einstellungen, kein Intervall; erst drei oder mehr Einstellungen zeigen, wie weit die Interpolation abweicht

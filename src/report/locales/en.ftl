@@ -388,6 +388,7 @@ quality-good = Good fit
 quality-fair = Fair fit
 quality-poor = Poor fit
 quality-beside-noise = { $ratio } times the noise of the records ({ $noise } N)
+quality-beyond-noise = { $ratio } times the noise of the records ({ $noise } N), so the tests show more than the model has
 quality-noise-unknown = the noise of these records is not known
 quality-curve-worse = the FV curve alone misses it by { $error } N ({ $percent } %), { $ratio } times as much
 quality-curve-no-worse = the FV curve alone is about as good or better, { $error } N ({ $percent } %)

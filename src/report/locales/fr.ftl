@@ -397,6 +397,7 @@ quality-good = Bon ajustement
 quality-fair = Ajustement moyen
 quality-poor = Mauvais ajustement
 quality-beside-noise = { $ratio } fois le bruit des mesures ({ $noise } N)
+quality-beyond-noise = { $ratio } fois le bruit des mesures ({ $noise } N) : les essais montrent plus que le modèle ne contient
 quality-noise-unknown = le bruit de ces mesures n’est pas connu
 quality-curve-worse = la courbe FV seule s’en écarte de { $error } N ({ $percent } %), { $ratio } fois autant
 quality-curve-no-worse = la courbe FV seule est à peu près aussi bonne ou meilleure, { $error } N ({ $percent } %)
@@ -1713,6 +1714,7 @@ identification-no-actuator = { $count ->
        *[other] ne montrent
     } aucun actionneur : l’effort suit la commande dans la limite de l’échantillonnage et du bruit
 identification-actuator-open = les mesures ne déterminent pas { $names } : les valeurs sont celles que montrent d’ordinaire les valves
+identification-actuator-vague = les essais laissent { $names } incertain à plus de { $width } ms près. Ajouter des échelons de { $setting }, montants et descendants, entre plusieurs paires de réglages, pendant un mouvement rapide
 identification-actuator-two-settings = les temps de la valve supposent que la force est linéaire selon { $setting } entre { $low } et { $high } : une force courbe les fausse au-delà de leurs intervalles. Mesurer un réglage entre les deux
 identification-family-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, au plus { $most } par réglage et { $changing } dont le réglage varie, de chaque amplitude, vitesse, position moyenne, température et effort latéral. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
 identification-no-interval-between = { $names } : pas d’intervalle ici, entre deux réglages ; un ajustement à trois réglages ou plus montre l’erreur de l’interpolation

@@ -9,9 +9,9 @@ use crate::cells::Cell;
 use crate::plot::peaks;
 use crate::plot::ticks::number;
 use crate::words::Words;
-use dashpot_identification::limits::{BETWEEN, Certificate, Checked, NEAR, Overall, Quantity, Value, Verdict};
-use dashpot_records::Record;
+use dashpot_identification::limits::{BETWEEN, Certificate, Checked, Limit, NEAR, Overall, Quantity, Value, Verdict};
 use dashpot_records::newtons::places;
+use dashpot_records::{Record, setting_in_words};
 
 /// Input of a certificate.
 #[derive(Debug, Clone)]
@@ -122,7 +122,8 @@ fn table(found: &Certificate, words: &Words) -> Table {
         let step = one.measured.as_ref().and_then(|value| value.step);
         let tests = match step {
             Some((from, to)) => {
-                let values = [("tests", tests), ("from", from.to_string()), ("to", to.to_string())];
+                let values =
+                    [("tests", tests), ("from", at_setting(from, limit, words)), ("to", at_setting(to, limit, words))];
                 words.fill(words.certificate_step, &values.each_ref().map(|(name, value)| (*name, &**value)))
             }
             None => tests,
@@ -180,6 +181,11 @@ fn in_short(tests: &[String]) -> String {
     }
 }
 
+/// Formats a setting in the unit of the damper that the limit is for.
+fn at_setting(value: f64, limit: &Limit, words: &Words) -> String {
+    words.number(&setting_in_words(value, &limit.setting_unit))
+}
+
 /// Formats the quantity of a limit with its amplitude and setting, and with the name from the limit file.
 fn label(one: &Checked, words: &Words) -> String {
     let limit = &one.limit;
@@ -197,7 +203,7 @@ fn label(one: &Checked, words: &Words) -> String {
     let stroke = limit.amplitude_m.map_or_else(String::new, |a| format!(" (±{} mm)", digits(1e3 * a, 3)));
     let setting = limit
         .setting
-        .map_or_else(String::new, |value| format!(" ({} {})", words.col_setting, words.number(&value.to_string())));
+        .map_or_else(String::new, |value| format!(" ({} {})", words.col_setting, at_setting(value, limit, words)));
     let stroke = format!("{stroke}{setting}");
     let is_named = !Quantity::NAMES.iter().any(|(name, _)| limit.name.eq_ignore_ascii_case(name));
     if is_named { format!("{}: {quantity}{stroke}", limit.name) } else { format!("{quantity}{stroke}") }

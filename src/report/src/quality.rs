@@ -24,7 +24,8 @@ pub fn sentence(quality: &Quality, words: &Words) -> String {
     let no_better = fv_only.mean_error_n < BETTER * model.mean_error_n;
     let grade = grade(by_noise, model.error_percent, !no_better, words);
     let beside = if is_known {
-        words.fill(words.quality_beside_noise, &[("ratio", &digits(by_noise, 2)), ("noise", &digits(*noise_n, 2))])
+        let text = if by_noise > NOISE { words.quality_beyond_noise } else { words.quality_beside_noise };
+        words.fill(text, &[("ratio", &digits(by_noise, 2)), ("noise", &digits(*noise_n, 2))])
     } else {
         words.quality_noise_unknown.to_owned()
     };
@@ -88,7 +89,11 @@ mod tests {
                 "As good as the noise allows",
                 "1.2 times the noise of the records (3.2 N)",
             ),
-            (of([12.0, 1.2], [40.0, 5.0], 1.0), "Good", "12 times the noise"),
+            (
+                of([12.0, 1.2], [40.0, 5.0], 1.0),
+                "Good",
+                "12 times the noise of the records (1.0 N), so the tests show more",
+            ),
             (of([12.0, 1.2], [40.0, 5.0], 0.0), "Good", "3.3 times as much"),
             (of([40.0, 4.0], [80.0, 8.0], 1.0), "Fair", "2.0 times as much"),
             (of([40.0, 4.0], [40.0, 4.0], 1.0), "Poor", "about as good or better"),

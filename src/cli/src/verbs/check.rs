@@ -2,11 +2,13 @@
 
 use super::Verdict;
 use super::host_step::HostArgs;
-use super::model;
+use super::model::{self, setting_at};
 use anyhow::bail;
+use dashpot_core::family::Axis;
 use dashpot_identification::model_file;
 use dashpot_identification::setting_energy::energy_remark;
 use dashpot_output::Kind;
+use dashpot_records::setting_in_words;
 use dashpot_simulation::chatter::{Figures, Ready};
 use serde::Serialize;
 use std::path::PathBuf;
@@ -16,8 +18,8 @@ use std::path::PathBuf;
 /// A real-time host computes the force once a step and keeps it constant. If the damper is too steep for the mass that it moves, the force
 /// then alternates from step to step. Reports the gain c·h/m, and the result of a simulated host loop with its mass on a tire. Also reports
 /// the element that causes chatter, and the longest step without chatter. --for-step writes a damper that does not chatter. Also reports
-/// the fastest rate of the damper's states, for hosts that integrate them (model exchange). A note names what of a damper over a setting may
-/// do work on the host when the setting changes.
+/// the fastest rate of the damper's states, for hosts that integrate them (model exchange). A damper over a setting is checked at every
+/// setting, and the largest gain is described. A note names what of it may do work on the host when the setting changes.
 #[derive(clap::Args)]
 #[command(
     after_help = "Examples:\n  dashpot check damper.toml --host-step 0.001 --wheel-mass 40\n  dashpot check damper.toml --for-step 0.001 -o realtime.toml\n  dashpot check damper.toml --host-step 0.001 --strict || echo \"not for this host\"\n\nIt ends with 0 whatever the gain is; with \
@@ -58,11 +60,8 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
         );
     }
     let dampers = args.host.ready_at_settings(&file.definition())?;
-    for (setting, ready) in &dampers {
-        let at = setting.map_or_else(String::new, |value| format!("{}: ", model::setting_at(&file.axis, value)));
-        for line in ready.messages().into_iter().chain(ready.stiffness()?) {
-            dashpot_output::say(on_stdout, &format!("{at}{line}"))?;
-        }
+    for line in lines(&dampers, &file.axis)? {
+        dashpot_output::say(on_stdout, &line)?;
     }
     if let Some(remark) = energy_remark(&file.definition()) {
         dashpot_output::say(on_stdout, &format!("note: {remark}"))?;
@@ -84,6 +83,36 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     }
     let chatters = dampers.iter().any(|(_, ready)| ready.chatter.rings());
     Ok(if args.strict && chatters { Verdict::Failed } else { Verdict::Passed })
+}
+
+/// Returns the printed lines. A damper over a setting has those of the setting with the largest gain, those of every other setting that has
+/// a remark, and the fastest rate of all settings.
+fn lines(dampers: &[(Option<f64>, Ready)], axis: &Axis) -> anyhow::Result<Vec<String>> {
+    let at = |setting: Option<f64>| setting.map_or_else(String::new, |value| format!("{}: ", setting_at(axis, value)));
+    let gain = |ready: &Ready| ready.chatter.gain;
+    let worst = dampers.iter().max_by(|(_, a), (_, b)| gain(a).total_cmp(&gain(b)));
+    let mut lines = Vec::new();
+    if let ([_, _, ..], Some((Some(setting), ready))) = (dampers, worst) {
+        let least = dampers.iter().map(|(_, ready)| gain(ready)).fold(f64::INFINITY, f64::min);
+        lines.push(format!(
+            "gain {least:.2} to {:.2} over {} settings, the largest at {}; it chatters at {} of them",
+            gain(ready),
+            dampers.len(),
+            setting_in_words(*setting, axis.unit()),
+            dampers.iter().filter(|(_, ready)| ready.chatter.rings()).count()
+        ));
+    }
+    let is_worst = |setting: &Option<f64>| worst.is_some_and(|(of, _)| of == setting);
+    for (setting, ready) in dampers {
+        let of = if is_worst(setting) { ready.messages() } else { ready.remarks() };
+        lines.extend(of.iter().map(|line| format!("{}{line}", at(*setting))));
+    }
+    let rates = dampers.iter().map(|(setting, ready)| Ok((ready.fastest_rate()?, setting, ready)));
+    let rates = rates.collect::<anyhow::Result<Vec<_>>>()?;
+    if let Some((_, setting, fastest)) = rates.into_iter().max_by(|a, b| a.0.total_cmp(&b.0)) {
+        lines.extend(fastest.stiffness()?.map(|line| format!("{}{line}", at(*setting))));
+    }
+    Ok(lines)
 }
 
 /// JSON output for a damper, with the setting if it is an adjustable damper.

@@ -149,7 +149,7 @@ fn run(args: &Args, data: &DataArgs, subject: Subject) -> anyhow::Result<()> {
     dashpot_output::say(json, &format_settings(&model.axis, &over, &found).join("\n"))?;
     if let Some(path) = json {
         let as_the_fit_saw = campaign.notes.iter().find(|n| n.kind == AS_THE_FIT_SAW).map(|n| &n.text);
-        let figures = found.iter().map(|(part, one)| SettingFigures { setting: part.setting, diagnosis: one.json() });
+        let figures = found.iter().map(|(part, one)| SettingFigures::new(&model.axis, part.setting, one.json()));
         let beside = (as_the_fit_saw, campaign.unusable.as_slice());
         dashpot_output::json(path, &SettingsFigures::new(&model.axis, &over, figures.collect(), beside))?;
     }

@@ -76,6 +76,9 @@ pub fn run(
     Ok(())
 }
 
+/// Largest number of tests that a line names. More names hide the count.
+const NAMED: usize = 6;
+
 /// Validates the adjustable damper over whole records, and writes the report.
 fn write_report(
     (campaign, model, found): (&Campaign, &ModelFile, &FamilyFit),
@@ -106,7 +109,14 @@ fn write_report(
     let mut validation = validate(&compared)?;
     comparison::summarize_settings(&mut validation, model, (&campaign, &compared), None)?;
     validation.unusable.clone_from(&campaign.unusable);
-    say(&format!("over whole records:\n{}", settings_table(model, &validation)))?;
+    let is_unused = |record: &&Record| !found.tests.contains(&record.name);
+    let unused: Vec<&str> = campaign.records.iter().filter(is_unused).map(|record| record.name.as_str()).collect();
+    let with = match unused.len() {
+        0 => String::new(),
+        count @ 1..=NAMED => format!(", with {} that the fit did not use: {}", count_tests(count), unused.join(", ")),
+        count => format!(", with {} that the fit did not use", count_tests(count)),
+    };
+    say(&format!("over whole records{with}:\n{}", settings_table(model, &validation)))?;
     let mut input = ReportInput {
         print: Print::Brief,
         made: page.date.made(campaign.files.iter().cloned())?,

@@ -134,7 +134,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, csv(&answers, settings))?;
     // If the rows go to standard output, remarks go to standard error.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
-    let clamped = commands.as_ref().and_then(|commands| commands.clamped(motion, file.axis.range()));
+    let clamped = commands.as_ref().and_then(|commands| commands.clamped(motion, &file.axis));
     let of_setting =
         commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached).chain(clamped);
     for remark in

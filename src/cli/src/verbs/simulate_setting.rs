@@ -6,12 +6,17 @@ use anyhow::bail;
 use dashpot_core::family::Axis;
 use dashpot_identification::setting_units::is_of_axis;
 use dashpot_messages::format_number;
-use dashpot_records::{Channel, MotionSetting, SettingSource, is_same_setting, restrict};
+use dashpot_records::{Channel, MotionSetting, SettingSource, is_same_setting, restrict, setting_in_words};
 use dashpot_simulation::imposed_motion::ImposedMotion;
 use std::path::Path;
 
 /// Largest magnitude of a time of `--setting`, s. It includes times of a clock in seconds since 1970.
 const LATEST: f64 = 1e10;
+
+/// Multiple of the largest setting of a model file beyond which a setting is in another unit, such as mA for A, and is
+/// rejected. A setting between them is a valve at its stop, so it is clamped with a note. A lower factor rejects such valves of
+/// a model file of few settings. A factor above 1000 lets mA through.
+const OF_ANOTHER_UNIT: f64 = 30.0;
 
 /// Settings over time from the option `--setting`: start time, s, and setting of each entry.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,6 +135,7 @@ impl Commands {
                 None => {}
             }
             let values = schedule.values(axis)?;
+            of_its_unit(values.iter().map(|(_, value)| *value), (axis, model), "--setting")?;
             return Ok(Commands { source: Source::Schedule(values, axis.start()), notes });
         }
         let Some(of) = own else {
@@ -151,19 +157,21 @@ impl Commands {
                 axis.unit()
             );
         }
+        of_its_unit(of.values.iter().copied(), (axis, model), &format!("the {} of {}", of.name, motion.display()))?;
         notes.push(describe(of, motion));
         notes.extend(outside(of, axis));
         Ok(Commands { source: Source::Motion, notes })
     }
 
     /// Returns a note if settings of the option lie outside the range of the model, with the number of samples at which they are clamped.
-    pub fn clamped(&self, motion: &ImposedMotion, (low, high): (f64, f64)) -> Option<String> {
+    pub fn clamped(&self, motion: &ImposedMotion, axis: &Axis) -> Option<String> {
+        let ((low, high), unit) = (axis.range(), axis.unit());
         let Source::Schedule(schedule, _) = &self.source else { return None };
         let is_outside = |value: f64| !(low..=high).contains(&value);
         let (_, value) = schedule.iter().find(|(_, value)| is_outside(*value))?;
         let all = motion.time.len();
         let count = (0..all).filter(|sample| is_outside(self.command(motion, *sample))).count();
-        let [value, low, high] = [*value, low, high].map(format_number);
+        let [value, low, high] = [*value, low, high].map(|value| setting_in_words(value, unit));
         Some(format!(
             "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them at {count} of {all} samples; \
              check its unit"
@@ -250,13 +258,31 @@ fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
     let is_outside = |value: f64| !is_same_setting(value, restrict(value, low, high));
     let count = of.values.iter().filter(|value| is_outside(**value)).count();
     (count > 0).then(|| {
-        let [low, high] = [low, high].map(format_number);
+        let [low, high] = [low, high].map(|value| setting_in_words(value, axis.unit()));
         format!(
             "at {count} of {} samples the {} lies outside the settings of the model file, {low} to {high}, and is clamped to them",
             of.values.len(),
             of.name
         )
     })
+}
+
+/// Checks that settings can be in the unit of a model file. `source` is the option or column with the settings.
+///
+/// # Errors
+/// A setting exceeds all of the model file by [`OF_ANOTHER_UNIT`].
+fn of_its_unit(settings: impl Iterator<Item = f64>, (axis, model): (&Axis, &Path), source: &str) -> anyhow::Result<()> {
+    let (low, high) = axis.range();
+    let largest = settings.map(f64::abs).fold(0.0, f64::max);
+    if largest > OF_ANOTHER_UNIT * low.abs().max(high.abs()) {
+        let [largest, low, high] = [largest, low, high].map(|value| setting_in_words(value, axis.unit()));
+        bail!(
+            "{source} reaches {largest}, and the settings of {} are {low} to {high}: it is in another unit. Give the unit with the number \
+             (600mA), in the heading of the column, or with --unit",
+            model.display()
+        );
+    }
+    Ok(())
 }
 
 #[cfg(test)]
@@ -333,5 +359,31 @@ mod tests {
         let (is_read, notes) = source("clicks", false, 1.0);
         assert!(!is_read && !notes.contains("clicks"), "{notes}");
         assert!(source("clicks", true, 1.0).1.contains("the clicks is not read"));
+    }
+
+    #[test]
+    fn a_setting_in_another_unit_is_rejected_and_one_beyond_the_grid_is_not() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 1.6]).unwrap();
+        axis.set_name("current").unwrap();
+        axis.set_unit("A").unwrap();
+        let of_motion = |value: f64| {
+            let motion = MotionSetting {
+                name: "current".to_owned(),
+                unit: "A".to_owned(),
+                values: vec![0.0, value],
+                source: SettingSource::Name { is_sure: true },
+            };
+            Commands::choose((Path::new("m.toml"), &axis), (Path::new("x.csv"), Some(&motion)), None)
+        };
+        let of_option = |text: &str| {
+            let schedule = Schedule::parse(text).unwrap();
+            Commands::choose((Path::new("m.toml"), &axis), (Path::new("x.csv"), None), Some(&schedule))
+        };
+        assert!(of_motion(2.5).is_ok() && of_option("0:0,1:2.5").is_ok());
+        for refused in [of_motion(800.0), of_motion(-800.0), of_option("0:0,1:800")] {
+            let why = refused.unwrap_err().to_string();
+            assert!(why.contains("800 A") && why.contains("0 A to 1.6 A") && why.contains("600mA"), "{why}");
+        }
     }
 }

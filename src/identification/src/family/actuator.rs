@@ -27,6 +27,9 @@ const RMS_OF_MEAN: f64 = 1.25;
 ///
 /// The figures of the physical valve in the book were computed with a factor of 1.5 (`prove_semi_active 4 3040000`).
 const AT_END: f64 = 1.5;
+/// Width of the interval of a time, s, above which a note advises further tests. It is the lag of a fast valve, so a wider interval does
+/// not tell a fast valve from a slow one. A smaller width gives advice where the times are good enough for a simulation.
+const VAGUE: f64 = 0.01;
 /// Ratio of the posterior to the prior standard deviation of a number below which the number counts as identified.
 const NARROWED: f64 = 0.7;
 
@@ -313,6 +316,12 @@ pub fn notes(fit: &ActuatorFit, name: &str, axis: &Axis) -> Vec<Sentence> {
     if let ([low, high], false) = (axis.grid(), fit.estimates.is_empty()) {
         let note = Sentence::from(phrases::ACTUATOR_TWO_SETTINGS).with("setting", name);
         notes.push(note.with("low", *low).with("high", setting_in_words(*high, axis.unit())));
+    }
+    let is_vague = |e: &&Estimate| e.unit == "s" && e.high.zip(e.low).is_some_and(|(high, low)| high - low > VAGUE);
+    let vague: Vec<&str> = fit.estimates.iter().filter(is_vague).map(|e| e.name).collect();
+    if !vague.is_empty() {
+        let note = Sentence::from(phrases::ACTUATOR_VAGUE).with_names("names", vague, phrases::COMMA);
+        notes.push(note.with("width", 1e3 * VAGUE).with("setting", name));
     }
     let open: Vec<&str> =
         fit.estimates.iter().filter(|e| e.standing == Standing::NotIdentified).map(|e| e.name).collect();

@@ -48,14 +48,16 @@ pub enum SettingLimitError {
     },
 }
 
-/// Converts the settings of limits to `own`, the unit of the damper's setting. A setting without a unit stays unchanged.
+/// Converts the settings of limits to `own`, the unit of the damper's setting, and states this unit in every limit. A setting without a unit
+/// keeps its value.
 ///
 /// # Errors
 /// Returns the first limit whose unit belongs to another quantity, or that has a unit while the damper's setting has none.
 pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(), SettingLimitError> {
-    for limit in limits.iter_mut().filter(|limit| !limit.setting_unit.is_empty()) {
+    for limit in limits {
         // If the damper's setting has no unit, a limit with a unit cannot be converted, so it is rejected.
-        if own.is_empty() || !restate_in_unit(&mut limit.setting_unit, own, &mut limit.setting) {
+        let is_stated = !limit.setting_unit.is_empty();
+        if is_stated && (own.is_empty() || !restate_in_unit(&mut limit.setting_unit, own, &mut limit.setting)) {
             return Err(SettingLimitError::OtherUnit {
                 name: limit.name.clone(),
                 line: limit.line,
@@ -63,7 +65,7 @@ pub fn restate_settings_of_limits(limits: &mut [Limit], own: &str) -> Result<(),
                 own: if own.is_empty() { "no unit".to_owned() } else { own.to_owned() },
             });
         }
-        limit.setting_unit.clear();
+        limit.setting_unit = own.to_owned();
     }
     Ok(())
 }
@@ -408,7 +410,7 @@ mod tests {
         let mut limits = read();
         restate_settings_of_limits(&mut limits, "A").unwrap();
         assert_eq!(limits.iter().map(|l| l.setting.unwrap()).collect::<Vec<_>>(), [1.6, 0.5]);
-        assert!(limits.iter().all(|l| l.setting_unit.is_empty()));
+        assert!(limits.iter().all(|l| l.setting_unit == "A"));
         for own in ["bar", ""] {
             let wrong = restate_settings_of_limits(&mut read(), own).unwrap_err().to_string();
             assert!(wrong.contains("line 3") && wrong.contains("mA"), "{wrong}");

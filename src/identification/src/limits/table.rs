@@ -105,7 +105,7 @@ pub struct Limit {
     pub high: Option<f64>,
     /// Setting at which the limit holds, if the damper has a setting.
     pub setting: Option<f64>,
-    /// Unit of the setting in the file, such as mA. If it is empty, the unit of the damper applies.
+    /// Unit of the setting in the file, such as mA, or empty. After `restate_settings_of_limits` it is the unit of the damper's setting.
     pub setting_unit: String,
     /// Line number in the file, from 1.
     pub line: u64,

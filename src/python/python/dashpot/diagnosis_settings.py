@@ -59,6 +59,8 @@ class SettingDiagnosis(Diagnosis):
     """Result of the diagnosis at one setting."""
 
     setting: float = field(kw_only=True)
+    interpolated: bool = field(kw_only=True)
+    """Whether the model was not measured at this setting. The diagnosis does not judge the interpolation then; validate it."""
 
 
 @dataclass(frozen=True, repr=False)

@@ -336,6 +336,7 @@ dashpot_messages::interface! {
         quality_fair,
         quality_poor,
         quality_beside_noise(ratio noise),
+        quality_beyond_noise(ratio noise),
         quality_noise_unknown,
         quality_curve_worse(error percent ratio),
         quality_curve_no_worse(error percent),

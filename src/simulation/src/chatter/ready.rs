@@ -182,6 +182,14 @@ impl Ready {
         Ok(stiffness::remark(&prepared(&self.params)?))
     }
 
+    /// Returns the fastest rate of the damper's states, 1/s.
+    ///
+    /// # Errors
+    /// Returns an error if the parameters do not form a valid model.
+    pub fn fastest_rate(&self) -> Result<f64, NoModel> {
+        Ok(stiffness::fastest_rate(&prepared(&self.params)?))
+    }
+
     /// Returns the results of the check as numbers.
     ///
     /// # Errors

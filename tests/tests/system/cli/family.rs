@@ -241,8 +241,9 @@ fn an_interpolated_setting_is_called_interpolated() {
     write_of(&strong, &dir.join("between"), "_0.9A", 5);
     let said = run(dir, &["validate", "family.toml", "between"]);
     assert!(said.out.contains("0.9, interpolated") && !said.err.contains("Check the setting"), "{said:?}");
-    let said = run(dir, &["diagnose", "family.toml", "between", "--candidates", "free_play"]);
+    let said = run(dir, &["diagnose", "family.toml", "between", "--candidates", "free_play", "--json", "d.json"]);
     assert!(said.err.contains("was not measured at 0.9: its numbers there are interpolated"), "{said:?}");
+    assert_eq!(json(&dir.join("d.json"))["settings"][0]["interpolated"].as_bool(), Some(true));
 }
 
 #[test]
@@ -282,10 +283,13 @@ fn friction_that_chatters_at_one_setting_is_said_and_not_replaced_at_the_others(
     let text = dashpot_identification::model_file::flat_family(&family, |_| String::new());
     std::fs::write(dir.join("steep.toml"), text).unwrap();
     let said = done(dir, &["check", "steep.toml"]);
-    let at = |current: &str| {
-        said.lines().find(|line| line.starts_with(&format!("setting = {current}:"))).unwrap_or_else(|| panic!("{said}"))
-    };
-    assert!(at("0").contains("does not chatter") && at("1.2").contains("coulomb_friction makes it"));
+    // A setting without a remark has no line of its own.
+    assert!(said.lines().all(|line| !line.starts_with("setting = 0:")), "{said}");
+    let worst = said.lines().find(|line| line.starts_with("setting = 1.2:")).unwrap_or_else(|| panic!("{said}"));
+    assert!(
+        worst.contains("coulomb_friction makes it") && said.contains("over 3 settings, the largest at 1.2"),
+        "{said}"
+    );
     let message = refused(dir, &["check", "steep.toml", "--for-step", "1ms"]);
     assert!(message.contains("at the setting 1.2 coulomb_friction chatters"), "{message}");
     let export = ["export", "fmu", "steep.toml", "-o", "d.fmu", "--for-step", "1ms"];
