@@ -53,9 +53,9 @@ pub trait Residuals: Sync {
     /// Computes the weighted residuals of one block, or returns `None` if the parameters are not a valid model.
     fn residuals(&self, block: usize, at: &Self::At) -> Option<Vec<f64>>;
 
-    /// Computes residuals of one block and their derivatives, one column for each parameter. If the result is `None`,
-    /// the solver uses central differences.
-    fn jacobian(&self, _block: usize, _at: &Self::At) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    /// Computes the derivatives of one block's residuals, one column for each parameter. If the result is `None`, the
+    /// solver uses central differences.
+    fn jacobian(&self, _block: usize, _at: &Self::At) -> Option<DMatrix<f64>> {
         None
     }
 }
@@ -70,7 +70,7 @@ trait Problem: Sync {
 /// Residuals and derivatives of a [`Problem`] at one point.
 trait Point: Sync {
     fn residuals(&self, block: usize) -> Option<Vec<f64>>;
-    fn jacobian(&self, block: usize) -> Option<(Vec<f64>, DMatrix<f64>)>;
+    fn jacobian(&self, block: usize) -> Option<DMatrix<f64>>;
 }
 
 impl<R: Residuals> Problem for R {
@@ -98,7 +98,7 @@ impl<R: Residuals> Point for There<'_, R> {
         self.problem.residuals(block, &self.at)
     }
 
-    fn jacobian(&self, block: usize) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    fn jacobian(&self, block: usize) -> Option<DMatrix<f64>> {
         self.problem.jacobian(block, &self.at)
     }
 }
@@ -272,26 +272,25 @@ impl Search<'_> {
     /// Returns residuals and derivatives at the start, with given derivatives if known.
     fn first_rows(&self, x: &[f64], jacobian: Option<Vec<DMatrix<f64>>>) -> Option<Vec<Rows>> {
         let at = self.problem.prepare(x)?;
-        match jacobian {
-            Some(known) => {
-                let join = |(residual, jacobian)| Rows { residual, jacobian };
-                Some(self.residuals(&*at)?.into_iter().zip(known).map(join).collect())
-            }
-            None => self.rows(&*at, x),
-        }
+        let residuals = self.residuals(&*at)?;
+        let jacobians = match jacobian {
+            Some(known) => known,
+            None => self.jacobians(&*at, x, &residuals)?,
+        };
+        let join = |(residual, jacobian)| Rows { residual, jacobian };
+        Some(residuals.into_iter().zip(jacobians).map(join).collect())
     }
 
-    /// Computes residuals and derivatives. Returns `None` if one of them is missing or not finite.
-    fn rows(&self, at: &dyn Point, x: &[f64]) -> Option<Vec<Rows>> {
-        let of = |block| {
-            let (residual, jacobian) = match at.jacobian(block) {
+    /// Computes the derivatives of known residuals. Returns `None` if a residual or a derivative is missing or not finite.
+    fn jacobians(&self, at: &dyn Point, x: &[f64], residuals: &[DVector<f64>]) -> Option<Vec<DMatrix<f64>>> {
+        let of = |(block, residual): (usize, &DVector<f64>)| {
+            let jacobian = match at.jacobian(block) {
                 Some(exact) => exact,
-                None => differences::central(self.problem, block, x, self.bounds)?,
+                None => differences::central((self.problem, block), (x, residual.as_slice()), self.bounds)?,
             };
-            let finite = residual.iter().chain(jacobian.iter()).all(|v| v.is_finite());
-            finite.then(|| Rows { residual: DVector::from_vec(residual), jacobian })
+            residual.iter().chain(jacobian.iter()).all(|v| v.is_finite()).then_some(jacobian)
         };
-        let all: Vec<Option<_>> = (0..self.problem.blocks()).into_par_iter().map(of).collect();
+        let all: Vec<Option<_>> = residuals.par_iter().enumerate().map(of).collect();
         all.into_iter().collect()
     }
 
@@ -584,7 +583,10 @@ impl Search<'_> {
     /// Computes the derivatives and the linear problem after an accepted step. Returns `None` if they are not finite.
     fn renew(&self, now: &mut Iterate, at: &dyn Point) -> Option<()> {
         if self.options.derivatives != Derivatives::Kept {
-            now.rows = self.rows(at, &now.x)?;
+            let residuals: Vec<DVector<f64>> = now.rows.drain(..).map(|rows| rows.residual).collect();
+            let jacobians = self.jacobians(at, &now.x, &residuals)?;
+            now.rows =
+                residuals.into_iter().zip(jacobians).map(|(residual, jacobian)| Rows { residual, jacobian }).collect();
         }
         now.linear = self.linear(&now.x, &now.rows);
         Some(())

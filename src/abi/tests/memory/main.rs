@@ -3,7 +3,7 @@
 //!
 //! Each block has exactly the size in the header and a separate heap allocation.
 //!
-//! Tools that check every access (Miri, AddressSanitizer) run these tests: see `tests/tests/system/unsafe_code.rs`. Without the tools, the
+//! Tools that check every access (Miri, AddressSanitizer) run these tests: see `tests/tests/system/memory_safety.rs`. Without the tools, the
 //! tests still check that the functions accept everything that the header allows.
 
 mod setting;

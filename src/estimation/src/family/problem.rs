@@ -215,15 +215,14 @@ impl Residuals for FamilyProblem<'_> {
         Some(residual.iter().map(|r| -r).collect())
     }
 
-    fn jacobian(&self, block: usize, joint: &Vec<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
-        let residual = self.residuals(block, joint)?;
+    fn jacobian(&self, block: usize, joint: &Vec<f64>) -> Option<DMatrix<f64>> {
         let tests = &self.settings[block].tests;
         let own = self.family.template.jacobian(self.effort.derivatives, tests, &self.theta(joint, block))?;
         let mut jacobian = DMatrix::zeros(own.nrows(), self.length);
         for (column, place) in own.column_iter().zip(&self.columns[block]) {
             jacobian.column_mut(*place).copy_from(&column);
         }
-        Some((residual, jacobian))
+        Some(jacobian)
     }
 }
 

@@ -8,16 +8,14 @@ const STEP: f64 = 6e-6;
 /// Smallest assumed magnitude of a parameter, so that a parameter of zero also has a step.
 const SMALLEST: f64 = 1e-3;
 
-/// Computes residuals of one block and their central differences. A difference is one-sided at a bound, or if the model
-/// is invalid on one side. Returns `None` if the model is invalid at `x`, or on both sides of `x` for a parameter.
+/// Computes central differences of the residuals of one block at `x`, where they are `middle`. A difference is one-sided at
+/// a bound, or if the model is invalid on one side. Returns `None` if the model is invalid on both sides for a parameter.
 pub(super) fn central(
-    problem: &dyn Problem,
-    block: usize,
-    x: &[f64],
+    (problem, block): (&dyn Problem, usize),
+    (x, middle): (&[f64], &[f64]),
     bounds: &Bounds,
-) -> Option<(Vec<f64>, DMatrix<f64>)> {
+) -> Option<DMatrix<f64>> {
     let residuals = |x: &[f64]| problem.prepare(x)?.residuals(block);
-    let middle = residuals(x)?;
     let mut jacobian = DMatrix::zeros(middle.len(), x.len());
     for i in 0..x.len() {
         let h = STEP * x[i].abs().max(SMALLEST);
@@ -30,14 +28,14 @@ pub(super) fn central(
         let (up, down) = (at(x[i] + h), at(x[i] - h));
         let width = (x[i] + h) - (x[i] - h);
         let (high, low, width) = match (&up, &down) {
-            (Some(up), Some(down)) => (up, down, width),
-            (Some(up), None) => (up, &middle, (x[i] + h) - x[i]),
-            (None, Some(down)) => (&middle, down, x[i] - (x[i] - h)),
+            (Some(up), Some(down)) => (up.as_slice(), down.as_slice(), width),
+            (Some(up), None) => (up.as_slice(), middle, (x[i] + h) - x[i]),
+            (None, Some(down)) => (middle, down.as_slice(), x[i] - (x[i] - h)),
             (None, None) => return None,
         };
         for r in 0..middle.len() {
             jacobian[(r, i)] = (high[r] - low[r]) / width;
         }
     }
-    Some((middle, jacobian))
+    Some(jacobian)
 }

@@ -50,7 +50,7 @@ fn every_block_of_unsafe_code_says_why_it_is_sound() {
     let (mut blocks, mut wrong) = (0, Vec::new());
     for file in &files {
         let text = std::fs::read_to_string(file).unwrap();
-        if file.file_name().is_some_and(|n| n == "unsafe_code.rs") {
+        if file.file_name().is_some_and(|n| n == "memory_safety.rs") {
             continue;
         }
         blocks += text.lines().filter(|line| begins_unsafe(line)).count();
@@ -85,8 +85,11 @@ fn watched(asks_for: &[&str], run: &[&str], flags: &str, folder: &str) -> Option
             .args(args)
             .current_dir(root())
             .env("CARGO_TARGET_DIR", root().join("target").join(folder));
-        // Without optimization the kernel compiles in a fifth of the time.
-        command.env("CARGO_PROFILE_DEV_OPT_LEVEL", "0").env("CARGO_PROFILE_DEV_DEBUG", "0");
+        // Without optimization and incremental compilation, the kernel compiles in a fifth of the time.
+        command
+            .env("CARGO_PROFILE_DEV_OPT_LEVEL", "0")
+            .env("CARGO_PROFILE_DEV_DEBUG", "0")
+            .env("CARGO_INCREMENTAL", "0");
         command.env("RUSTFLAGS", flags).output()
     };
     if !cargo(asks_for).is_ok_and(|out| out.status.success()) {
