@@ -21,8 +21,8 @@ dashpot_messages::phrases! {
     TAKEN_UP: "a free FV curve takes a v² term up";
     HELD: "{name} could not be identified from this data; it is held at {value}";
     AT_BOUND: "{name} ran into the bound of its range at {value}: the data asks for something this element cannot do";
-    RARE_VALUE: "{name} is {value}, outside what dampers and rigs show ({low} to {high}): it may make up for something that the model lacks";
-    RARE_ASSUMED: "{name} is assumed at {value}, outside what dampers and rigs show ({low} to {high}): it may make up for something that the model lacks";
+    RARE_VALUE: "{name} is {value}, outside what dampers of this force and rigs show ({low} to {high}): it may make up for something that the model lacks";
+    RARE_ASSUMED: "{name} is assumed at {value}, outside what dampers of this force and rigs show ({low} to {high}): it may make up for something that the model lacks";
     // Prior knowledge of the damper.
     EXPECTED: "{name} was expected at {value} {unit} (95 %: {low} to {high}), by the dimensions of the damper: {facts}";
     CONTRADICTS: "{name} contradicts the dimensions of the damper: {value} {unit} are {ratio} times the {expected} {unit} that {facts} give";

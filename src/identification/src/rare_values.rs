@@ -61,7 +61,10 @@ mod tests {
         let none = PriorSet::default();
         let oil = estimate("oil_stiffness", 2.01e4, "N/m", Standing::Identified);
         let said = describe_rare(&oil, &params, &none).unwrap().to_string();
-        assert!(said.starts_with("oil_stiffness is 20.10 N/mm, outside what dampers and rigs show (192"), "{said}");
+        assert!(
+            said.starts_with("oil_stiffness is 20.10 N/mm, outside what dampers of this force and rigs show (192"),
+            "{said}"
+        );
         let gas = |value: f64| estimate("gas_force", value, "N", Standing::NotIdentified);
         let said = describe_rare(&gas(-10.76), &params, &none).unwrap().to_string();
         assert!(said.starts_with("gas_force is assumed at -10.76 N"), "{said}");

@@ -568,6 +568,12 @@ pub(crate) mod unit_magnitude {
     /// Test: `a_frequency_that_no_rig_reaches_is_another_unit_of_time`.
     pub(crate) const FASTEST: f64 = 150.0;
 
+    /// Frequency of a test, Hz, above which seconds were read as milliseconds at any amplitude. Then millimeters may
+    /// also have been read as micrometers. Electrodynamic shakers for dampers end at some hundred hertz.
+    ///
+    /// Test: `a_frequency_that_no_rig_reaches_is_another_unit_of_time`.
+    pub(crate) const BEYOND_ANY_RIG: f64 = 1000.0;
+
     /// Absolute correlation of force and velocity above which a force is that of a damper, and a small force suggests a
     /// wrong unit. At a smaller correlation, the load cell may be dead.
     ///

@@ -1142,6 +1142,7 @@ records-setting-held = { $count } von { $rows } Werten der Einstellung ‚{ $set
 records-setting-start = die Einstellung „{ $setting }“ ist { $seconds } s lang auf dem Weg zu ihrem Wert; dieser Anfang wurde abgeschnitten
 records-setting-empty = die Spalte der Einstellung ‚{ $setting }‘ ist leer: der Versuch gilt als einer ohne sie, oder wie sein Name sagt
 records-unread-current = die Spalte „{ $column }“ in { $unit } wird nicht gelesen; ist sie der Strom des Dämpferventils, so geben Sie --column current='{ $column }' an, sonst --ignore current
+records-unread-setting = die Spalte „{ $column }“ in { $unit } wird nicht gelesen; ist sie die Einstellung des Dämpferventils, so geben Sie --column setting='{ $column }' an, sonst --ignore current
 records-small-current = der Strom beträgt höchstens { $current } mA und gilt als 0 A, denn darauf antwortet kein Ventil; stehen in der Spalte A, so geben Sie --unit current=A an
 records-filled = { $count ->
         [one] { $count } fehlender Wert
@@ -1590,8 +1591,8 @@ identification-needs-side-forces = dazu braucht es langsame Versuche bei zwei od
 identification-taken-up = eine freie FV-Kurve nimmt einen v²-Anteil auf
 identification-held = { $name } ließ sich aus diesen Daten nicht identifizieren; der Wert ist auf { $value } gehalten
 identification-at-bound = { $name } stieß bei { $value } an die Grenze seines Bereichs: die Daten verlangen etwas, was dieses Element nicht kann
-identification-rare-value = { $name } ist { $value }, außerhalb dessen, was Dämpfer und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
-identification-rare-assumed = { $name } ist mit { $value } angenommen, außerhalb dessen, was Dämpfer und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
+identification-rare-value = { $name } ist { $value }, außerhalb dessen, was Dämpfer dieser Kraft und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
+identification-rare-assumed = { $name } ist mit { $value } angenommen, außerhalb dessen, was Dämpfer dieser Kraft und Prüfstände zeigen ({ $low } bis { $high }): der Wert gleicht vielleicht aus, was dem Modell fehlt
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -1166,6 +1166,7 @@ records-setting-held = { $count } des { $rows } valeurs du réglage « { $settin
 records-setting-start = le réglage « { $setting } » met { $seconds } s à atteindre sa valeur ; ce début a été coupé
 records-setting-empty = la colonne du réglage « { $setting } » est vide : l’essai compte comme un essai sans lui, ou comme son nom le dit
 records-unread-current = la colonne « { $column } » en { $unit } n’est pas lue ; si c’est le courant de la valve de l’amortisseur, donner --column current='{ $column }', sinon --ignore current
+records-unread-setting = la colonne « { $column } » en { $unit } n’est pas lue ; si c’est le réglage de la valve de l’amortisseur, donner --column setting='{ $column }', sinon --ignore current
 records-small-current = le courant est d’au plus { $current } mA et compte comme 0 A, car aucune valve n’y répond ; si la colonne est en A, donner --unit current=A
 records-filled = { $count ->
         [one] { $count } valeur manquante
@@ -1635,8 +1636,8 @@ identification-needs-side-forces = il faut des essais lents à deux efforts lat�
 identification-taken-up = une courbe FV libre absorbe un terme en v²
 identification-held = { $name } n’a pu être identifié de ces données ; sa valeur est tenue à { $value }
 identification-at-bound = { $name } a atteint la borne de son domaine à { $value } : les données demandent ce que cet élément ne peut faire
-identification-rare-value = { $name } vaut { $value }, hors de ce que montrent amortisseurs et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
-identification-rare-assumed = { $name } est supposé à { $value }, hors de ce que montrent amortisseurs et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
+identification-rare-value = { $name } vaut { $value }, hors de ce que montrent amortisseurs de cet effort et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
+identification-rare-assumed = { $name } est supposé à { $value }, hors de ce que montrent amortisseurs de cet effort et bancs ({ $low } à { $high }) : la valeur compense peut-être ce qui manque au modèle
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -1055,6 +1055,7 @@ records-setting-held = 设定“{ $setting }”的 { $rows } 个值中缺少 { $
 records-setting-start = 设定“{ $setting }”在 { $seconds } s 内尚未到达其值；该起始段已剪去
 records-setting-empty = 设定“{ $setting }”的列为空：该试验视为没有该设定，或以其名称为准
 records-unread-current = 未读取单位为 { $unit } 的列“{ $column }”；若它是减振器阀的电流，请给出 --column current='{ $column }'，否则给出 --ignore current
+records-unread-setting = 未读取单位为 { $unit } 的列“{ $column }”；若它是减振器阀的设置，请给出 --column setting='{ $column }'，否则给出 --ignore current
 records-small-current = 电流最大为 { $current } mA，按 0 A 计，因为没有阀对此有响应；若该列单位为 A，请给出 --unit current=A
 records-filled = { $channel }通道的 { $count } 个缺失值已用直线补齐
 records-empty-column = { $channel }通道的列为空，已舍去
@@ -1389,8 +1390,8 @@ identification-needs-side-forces = 需要在两种或更多侧向力下的慢速
 identification-taken-up = 自由的 FV 曲线会吸收 v² 项
 identification-held = { $name } 无法由这些数据辨识；固定为 { $value }
 identification-at-bound = { $name } 到达其范围边界 { $value }：数据要求的是该元件做不到的
-identification-rare-value = { $name } 为 { $value }，超出减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
-identification-rare-assumed = { $name } 假定为 { $value }，超出减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
+identification-rare-value = { $name } 为 { $value }，超出此力级减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
+identification-rare-assumed = { $name } 假定为 { $value }，超出此力级减振器和试验台所示的范围（{ $low } 至 { $high }）：它可能在弥补模型所缺的部分
 
 ## What a fit says. What was known of the damper beside its records.
 

@@ -176,6 +176,7 @@ fn sections(input: &ReportInput<'_>) -> Vec<Section> {
     if let Some(Block::Verdict(passed, text)) = limits.as_ref().and_then(|section| section.blocks.first()) {
         answer.blocks.insert(0, Block::Verdict(*passed, text.clone()));
     }
+    answer.blocks.extend(input.family.into_iter().flat_map(|family| family.doubts(validation, words)));
     let family = input.family.map(|family| family.sections(validation, input.tests, words));
     sections.push(answer);
     let first = sections.len() + family.as_ref().map_or(0, Vec::len);

@@ -243,7 +243,7 @@ fn a_test_with_the_label_of_another_setting_is_named() {
     assert!(notes[0].contains("those of 0.8 A"), "{notes:?}");
     assert!(notes[1].starts_with(&format!("{of_soft} states current 4 A")), "{notes:?}");
     assert!(notes[1].contains("those of 0 A, and not"), "{notes:?}");
-    assert!(found.has_doubtful_labels && !with_growing_friction().has_doubtful_labels);
+    assert!(!found.label_doubts.is_empty() && with_growing_friction().label_doubts.is_empty());
 }
 
 #[test]

@@ -111,8 +111,8 @@ pub struct FamilyFit {
     pub fv_only: Vec<Params>,
     /// Remarks for the engineer.
     pub notes: Vec<Sentence>,
-    /// Whether the forces contradict the settings that tests state. The notes name the tests or settings.
-    pub has_doubtful_labels: bool,
+    /// Notes on tests or settings whose forces contradict the settings that tests state. They are also among the notes.
+    pub label_doubts: Vec<Sentence>,
     /// Names of the tests that the fit used.
     pub tests: Vec<String>,
     /// Fingerprints of the contents of the tests that the fit used, in the order of `tests`.
@@ -210,8 +210,7 @@ pub fn fit_family(
         })
     }));
     let doubts = setting_labels::notes(&best, &damper, &axis, &sorted, &settings);
-    let has_doubtful_labels = !doubts.is_empty();
-    notes.extend(doubts);
+    notes.extend(doubts.iter().cloned());
     notes.extend(worse_than_alone(&reports, &axis));
     notes.extend(selection);
     notes.extend(actuator.iter().flat_map(|fit| actuator::notes(fit, &axis.name, &damper.axis)));
@@ -233,7 +232,7 @@ pub fn fit_family(
         notes,
         tests: used.iter().map(|r| r.name.clone()).collect(),
         fingerprints: used.iter().map(|r| r.fingerprint()).collect(),
-        has_doubtful_labels,
+        label_doubts: doubts,
         misfit: (joint_refit.residual.norm_squared() / scored.max(1) as f64).sqrt(),
     })
 }

@@ -262,6 +262,20 @@ pub(crate) fn unit_of_current<'a>(text: &'a str, below: Option<&'a str>) -> Opti
     written_unit(text).or(below).filter(is_current)
 }
 
+/// Words for the share of time in which a valve gets its supply voltage, as in "duty cycle".
+const DUTY: [&str; 5] = ["duty", "dutycycle", "pwm", "tastgrad", "占空比"];
+
+/// Returns the unit of a column that may contain the setting of a valve in a unit that is not one of current, as
+/// written: `Current [%]`, `PWM duty (%)`. `below` is the unit below the heading.
+pub(crate) fn unit_of_command<'a>(text: &'a str, below: Option<&'a str>) -> Option<&'a str> {
+    let unit = written_unit(text).or(below)?;
+    match heading(text) {
+        Heading::Channel(Channel::Current, HeadingUnit::Unknown(_)) => Some(unit),
+        _ if text.len() <= LONGEST && words(text).iter().any(|word| DUTY.contains(&word.as_str())) => Some(unit),
+        _ => None,
+    }
+}
+
 /// Returns the channel that the unit of an unknown heading indicates: a force or a displacement. `below` is the unit
 /// below the heading. Returns `None` for recognized headings, for setpoints and for other units.
 pub(crate) fn by_unit(text: &str, below: Option<&str>) -> Option<Channel> {

@@ -1,8 +1,8 @@
 //! Assigns the columns of a table to channels and units, by their headings, the row of units and the user's options.
 
 use super::heading::{
-    Heading, HeadingUnit, by_unit, heading, is_plain, is_setpoint, is_stopgap, nearest, nearest_to, unit_of_current,
-    without_unit, written_unit,
+    Heading, HeadingUnit, by_unit, heading, is_plain, is_setpoint, is_stopgap, nearest, nearest_to, unit_of_command,
+    unit_of_current, without_unit, written_unit,
 };
 use crate::error::{ColumnError, Place, RecordError};
 use crate::messages::phrases;
@@ -26,8 +26,9 @@ pub(crate) struct Layout {
     pub(super) ignored: Vec<String>,
     /// Columns assigned to a channel by their unit alone.
     pub(super) guessed: Vec<(Channel, String)>,
-    /// Columns in a unit of current of a table without a recognized setting: heading and unit.
-    pub(super) unread_currents: Vec<(String, String)>,
+    /// Columns that may contain the setting, of a table without a recognized setting: heading, unit, and the channel that
+    /// such a column is given.
+    pub(super) unread_settings: Vec<(String, String, Channel)>,
     /// Time between samples that the user gives for files without a time column, s.
     pub(super) step: Option<f64>,
 }
@@ -369,17 +370,21 @@ impl Assigned {
             .collect()
     }
 
-    /// Lists the columns in a unit of current, with this unit, of a table whose setting is not read.
-    fn list_unread_currents(&self, header: &Header) -> Vec<(String, String)> {
+    /// Lists the columns that may contain the setting, of a table whose setting is not read: those in a unit of current, and
+    /// commands to a valve in another unit.
+    fn list_unread_settings(&self, header: &Header) -> Vec<(String, String, Channel)> {
         if self.has(Channel::Current) || self.has(Channel::Setting) || header.options.ignore.contains(&Channel::Current)
         {
             return Vec::new();
         }
-        let texts = header.texts.iter().enumerate();
-        texts
-            .filter_map(|(i, text)| Some(((*text).to_owned(), unit_of_current(text, header.unit_below(i))?.to_owned())))
-            .take(LISTED)
-            .collect()
+        let of = |(i, text): (usize, &&str)| {
+            let below = header.unit_below(i);
+            let current = unit_of_current(text, below).map(|unit| (unit, Channel::Current));
+            let (unit, channel) =
+                current.or_else(|| unit_of_command(text, below).map(|unit| (unit, Channel::Setting)))?;
+            Some(((*text).to_owned(), unit.to_owned(), channel))
+        };
+        header.texts.iter().enumerate().filter_map(of).take(LISTED).collect()
     }
 }
 
@@ -420,7 +425,7 @@ impl Layout {
         Ok(Layout {
             test,
             ignored: assigned.list_ignored(&header, test),
-            unread_currents: assigned.list_unread_currents(&header),
+            unread_settings: assigned.list_unread_settings(&header),
             columns: assigned.columns,
             guessed: assigned.guessed,
             step: options.sample_rate_hz.map(|rate| 1.0 / rate),

@@ -257,8 +257,12 @@ impl Rows {
                 Sentence::from(phrases::BY_UNIT).with("column", column).with_sentence("channel", channel.message());
             notes.push(Note { kind: "guessed", text });
         }
-        for (column, unit) in &self.layout.unread_currents {
-            let text = Sentence::from(phrases::UNREAD_CURRENT).with("column", column).with("unit", unit);
+        for (column, unit, channel) in &self.layout.unread_settings {
+            let phrase = match channel {
+                Channel::Current => phrases::UNREAD_CURRENT,
+                _ => phrases::UNREAD_SETTING,
+            };
+            let text = Sentence::from(phrase).with("column", column).with("unit", unit);
             notes.push(Note { kind: UNREAD_CURRENT, text });
         }
         let converted: Vec<Sentence> = self

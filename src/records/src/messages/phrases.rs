@@ -15,6 +15,7 @@ dashpot_messages::phrases! {
     COLUMNS_NOT_READ: "columns not read: {names}";
     BY_UNIT: "'{column}' is taken for {channel} by its unit alone; --column says if another one is meant";
     UNREAD_CURRENT: "column '{column}' in {unit} is not read; if it is the current of the damper's valve, give --column current='{column}', otherwise --ignore current";
+    UNREAD_SETTING: "column '{column}' in {unit} is not read; if it is the setting of the damper's valve, give --column setting='{column}', otherwise --ignore current";
     CONVERTED: "converted to SI: {channels}";
     FROM_UNIT: "{channel} from {unit}";
     TIME_OF_DAY: "time of day taken from the first row on";

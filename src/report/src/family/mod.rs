@@ -33,13 +33,22 @@ pub struct FamilyReport<'a> {
 }
 
 impl FamilyReport<'_> {
+    /// Builds warnings about tests whose forces contradict their settings. They belong to the answer, because such tests spoil the model.
+    /// Those of a fit name the tests before the model took their forces up, so they replace those of the validation.
+    pub fn doubts(self, validation: &Validation, words: &Words) -> Vec<Block> {
+        let unit = self.model.axis.unit();
+        let of_fit: Vec<String> =
+            self.fit.iter().flat_map(|fit| &fit.label_doubts).map(|note| words.say(note)).collect();
+        let of_validation = validation.setting_doubts.iter().map(|doubt| words.say(&doubt.sentence(unit)));
+        let doubts = if of_fit.is_empty() { of_validation.collect() } else { of_fit };
+        doubts.into_iter().map(Block::Warning).collect()
+    }
+
     /// Builds the sections with which the report of an adjustable damper begins.
     pub fn sections(self, validation: &Validation, tests: &[Compared<'_>], words: &Words) -> Vec<Section> {
         let damper = self.model.definition();
-        let unit = self.model.axis.unit();
-        let doubts = validation.setting_doubts.iter().map(|doubt| words.say(&doubt.sentence(unit)));
-        let mut first: Vec<Block> = doubts.map(Block::Warning).collect();
-        first.extend(curves::by_setting(&damper, validation, words).map(Block::Wide));
+        let mut first: Vec<Block> =
+            curves::by_setting(&damper, validation, words).map(Block::Wide).into_iter().collect();
         first.push(Block::Paragraph(words.family_about.to_owned()));
         first.extend(self.fit.map(|fit| Block::Paragraph(errors::between(fit, words))));
         let mut second: Vec<Figure> = curves::over_both(&damper, validation, words).into_iter().collect();

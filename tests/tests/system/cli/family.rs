@@ -460,6 +460,9 @@ fn a_validation_names_tests_whose_forces_are_those_of_another_setting() {
         for text in [&run.err, &page] {
             assert_eq!(text.contains("are those of about 0.6 A, not of 0 A"), is_wrong, "{text}");
         }
+        // The report says so in its answer, before the section of the setting.
+        let answer = page.split("id=\"setting\"").next().unwrap();
+        assert_eq!(answer.contains("are those of about 0.6 A"), is_wrong);
         let figures = json(&dir.join("errors.json"));
         let doubt = figures.pointer("/setting_doubts/0").map(|doubt| (&doubt["stated"], &doubt["fitting"]));
         assert_eq!(doubt, is_wrong.then_some((&0.0.into(), &0.6.into())));

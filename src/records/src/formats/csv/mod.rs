@@ -481,6 +481,15 @@ mod tests {
         };
         let unread = read("Signal 7", &none);
         assert!(unread.current.is_none() && noted(&unread).contains("--column current='Signal 7'"), "{unread:?}");
+        // A command in another unit than one of current is named as the setting.
+        for (heading, unit) in [("current [%]", "%"), ("PWM duty (%)", "%"), ("Tastgrad", "mA")] {
+            let text = format!(
+                "Zeit;Weg;Kraft;{heading}\ns;mm;kN;{}\n0;0;1;40\n1;1;1;40\n",
+                if unit == "%" { "" } else { "1/100" }
+            );
+            let samples = parse(&Place::file("a.csv"), "a", &text, &none, &Budget::new(0)).unwrap().remove(0);
+            assert!(noted(&samples).contains(&format!("--column setting='{heading}'")), "{samples:?}");
+        }
         let ignored = Options { ignore: [Channel::Current].into(), ..Options::default() };
         for other in [read("Signal 7", &named), read("Signal 7", &ignored), read("Strom", &none)] {
             assert_eq!(noted(&other), "");
