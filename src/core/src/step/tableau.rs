@@ -14,8 +14,8 @@ pub(super) struct Tableau {
     pub gamma: f64,
     /// Reciprocal of the diagonal coefficient, 1/γ.
     pub per_gamma: f64,
-    /// Coefficients below the diagonal over the diagonal one, a_ij/γ: weights of the gains of the previous stages. A
-    /// gain is γ times the length of the substep times the rate.
+    /// Coefficients below the diagonal, divided by the diagonal coefficient: a_ij/γ. They are the weights of the gains
+    /// of the previous stages. A gain is γ times the length of the substep times the rate.
     pub weights: [[f64; MOST_STAGES]; MOST_STAGES],
     /// Times of the stages as fractions of the step.
     pub c: [f64; MOST_STAGES],
