@@ -18,8 +18,8 @@ pub struct Integration {
     /// Number of substeps inside one host step. If it is 0, the rates of the model determine the number
     /// ([`Integration::per_time`]).
     pub substeps: u32,
-    /// Rate, 1/s, that determines the number n of substeps if n is small; it follows from the model's stiffness.
-    /// per_time times the host step is n², or n^1.5 with `cubic`.
+    /// Rate, 1/s, that determines the number n of substeps if n is small; it follows from the model's stiffness. The
+    /// product of `per_time` and the host step is n², or n^1.5 with `cubic`.
     pub per_time: f64,
     /// Whether `per_time` times the host step is n^1.5 instead of n², for n substeps.
     cubic: bool,

@@ -13,7 +13,7 @@ use crate::{element, number};
 /// spring.
 const STROKE: f64 = 0.1;
 /// Number of displacements on each side of 0, half a millimeter apart, at which [`Model::check`] compares two
-/// stiffnesses: that of the springs on the internal mass, and that of the series spring.
+/// stiffnesses. These are the stiffness of the springs on the internal mass and that of the series spring.
 const PLACES: i32 = 200;
 
 /// Units of the internal states of parallel elements. The state of an element that is not listed has the unit "-".
