@@ -7,7 +7,7 @@
 //! runs. Internal states follow their elements, and an element that was off before starts in equilibrium.
 //!
 //! Derivatives of a step are exact where its force is smooth. A knee is a point of a piecewise linear curve, a stop, a
-//! reversal or a void that closes. There the derivatives are those of the side on which the step was solved, or lie
+//! reversal or a void that closes. At a knee the derivatives are those of the side on which the step was solved, or lie
 //! between those of both sides. An implicit host should bound its Newton steps there. In a search over random steps,
 //! most of them far from real dampers, one derivative in a thousand has an error above 2 %. With a nonlinear spring
 //! nearly as stiff as the series spring and an element of the oil, a step of 10 ms gives the derivative of the tangent

@@ -18,7 +18,7 @@ use crate::schema::{Describe, Parameter, View};
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
-    /// κ, 1/K: how fast the fall per kelvin gets smaller with temperature.
+    /// Parameter κ, 1/K, which reduces the fall per kelvin at higher temperatures.
     slackening: f64,
     reference: f64,
     /// One over the force F_l at which half of the force is laminar, 1/N; 0 if all of it is.

@@ -73,8 +73,8 @@ struct Known<'a> {
 /// X is a combination of the previous stages, like the known parts of the states. At constant pressure, the column then
 /// changes by the exact stroke of the step, independent of the velocities v at the stages. The alternative X = x − g v,
 /// with the weight g of the stage, has a large error. With the cheapest method, the column would not change at all in a
-/// stroke that ends at rest. With the other methods, the error would reach the whole stroke in a step from one end of
-/// the stroke to the other.
+/// stroke that ends with zero velocity. With the other methods, the error would reach the whole stroke in a step from
+/// one end of the stroke to the other.
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,

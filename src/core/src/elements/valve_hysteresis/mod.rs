@@ -13,7 +13,8 @@ use conductance::by_raised;
 pub(crate) use conductance::{Conductance, tabulated};
 use core::cell::Cell;
 
-/// Lagging blow-off valve, which changes the force F, N, of the FV curve to F_h, in three forms.
+/// Lagging blow-off valve, which changes the force F, N, of the FV curve to F_h, in three forms. F_h is called the
+/// force behind the valve.
 ///
 /// *Opening*: F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
