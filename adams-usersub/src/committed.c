@@ -15,7 +15,7 @@ enum { MOST_STEPS = 4000 };
 
 typedef struct {
     int kind, element;
-    /* The last committed time and state; is_start: they are the start of a run. */
+    /* The last committed time and state. is_start: they are those at the start of a run. */
     int is_set, is_start;
     double time;
     dashpot_state state;
@@ -187,7 +187,7 @@ static int32_t linear_force(const damper_model *damper, const dashpot_input *inp
     return status;
 }
 
-/* Differentiates linear_force() by central differences. At a knee of the force curve they give the mean slope of both sides. */
+/* Differentiates linear_force() by central differences. At a knee of the force curve they give the mean of both sides. */
 static int32_t linear_partials(const damper_model *damper, const dashpot_input *input, force_answer *answer)
 {
     double *by[3], f[2] = {0.0, 0.0};

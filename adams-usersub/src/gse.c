@@ -9,7 +9,7 @@
  *                    2 velocity of the internal mass, model units
  *                    3... internal states of the elements: SI value divided by the model's length unit in m, so that
  *                    the solver's error tolerance applies to lengths as it does to state 1
- * outputs (array Y)  1 force as an SFORCE takes it: negative where the damper is in tension, as it is in rebound
+ * outputs (array Y)  1 force with the sign of an SFORCE: negative if the damper is in tension, as it is in rebound
  *                    2 series deflection  3 velocity of the internal mass
  *                    4 force of the primary damper  5 springs  6 friction  7 gas  8 stops, tension positive
  *                    9 oil temperature, degrees Celsius

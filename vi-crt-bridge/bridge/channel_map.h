@@ -18,7 +18,7 @@
  *   side_force = ""
  *   temperature = ""
  *   setting = ""                       setting (current, clicks) of dampers that depend on one, in the model file's unit
- *   force = ""                         the host's input channel that takes the damper force: always needed
+ *   force = ""                         the host's input channel that receives the damper force: always needed
  */
 #ifndef DASHPOT_CHANNEL_MAP_H
 #define DASHPOT_CHANNEL_MAP_H

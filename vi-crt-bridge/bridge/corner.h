@@ -41,8 +41,8 @@ int32_t dashpot_corner_begin(dashpot_corner *corner, const dashpot_input *input)
  * model file. */
 int32_t dashpot_corner_rest_at(dashpot_corner *corner, double position, const double *setting);
 
-/* Advances the corner by dt, in s; `input` holds at the end of the step. dt = 0 is a static evaluation and keeps the
- * states. It allocates nothing. Returns 0, warnings of dashpot.h or DASHPOT_BRIDGE_LAST_FORCE, never an error. */
+/* Advances the corner by dt, in s; `input` is the input at the end of the step. dt = 0 is a static evaluation and keeps
+ * the states. It allocates nothing. Returns 0, warnings of dashpot.h or DASHPOT_BRIDGE_LAST_FORCE, never an error. */
 int32_t dashpot_corner_step(dashpot_corner *corner, const dashpot_input *input, double dt);
 
 #endif

@@ -63,7 +63,7 @@ static void find_range(struct part *part)
 }
 
 /* Writes the first two adjacent values of a list that are out of order: " (fv_force[3] = 5000, fv_force[4] = 400)". A host
- * shows single numbers, not lists. If `status` concerns no order of a list, the text is empty. */
+ * shows single numbers, not lists. If `status` is no error in the order of a list, the text is empty. */
 static void neighbours(struct instance *instance, int c, const char *name, int32_t status, char *text, size_t room)
 {
     const struct contents *contents = instance->contents;

@@ -1,18 +1,18 @@
 //! Evaluation
 //!
-//! For hosts whose own solver integrates the states: force, rates and partial derivatives at one instant. Pure: the
-//! state is read and not changed.
+//! For hosts whose own solver integrates the states: force, rates and partial derivatives at one instant. The functions
+//! read the state and do not change it.
 //!
 //! The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
-//! internal states. dashpot_model_states() returns their number, dashpot_model_state_name() their names. All entries behind
+//! internal states. dashpot_model_states() returns their number, dashpot_model_state_name() their names. All entries after
 //! them in a structure are 0 and stay 0. Without series_compliance the internal mass moves with the moving end: its two
-//! rates are 0. A host without a displacement integrates that too (rate->displacement is the velocity).
-//! state->velocity is the last input of a step and no state: it is ignored, and its rate is 0.
+//! rates are 0. A host without a displacement integrates that too (rate->displacement is the velocity). state->velocity is
+//! the last input of a step and no state: it is ignored, and its rate is 0.
 //!
 //! The states are stiff: the small mass behind the valves follows at rates of 1e4 to 1e6 1/s, which `dashpot check` reports for
 //! a model file. An implicit solver with the partial derivatives (CVODE, DASSL, Radau) takes long steps. An explicit one
-//! (Euler, Runge-Kutta) needs microseconds; longer steps may yield a wrong force with status 0. dashpot_step() is stable at
-//! every step.
+//! (Euler, Runge-Kutta) needs steps of microseconds; longer steps may yield a wrong force with status 0. dashpot_step() is
+//! stable at every step.
 
 use dashpot_core::evaluate::partials;
 use dashpot_core::{Output, Partials, State};
@@ -58,7 +58,7 @@ pub unsafe extern "C" fn dashpot_evaluate(
     })())
 }
 
-/// All partial derivatives of force and rates at *state and *input, to *partials.
+/// Writes all partial derivatives of force and rates at *state and *input to *partials.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_jacobian(
     model: *const dashpot_model,

@@ -26,7 +26,8 @@ pub struct dashpot_input {
     pub struct_size: u32,
     /// Sum of the DASHPOT_KNOWS_... bits that apply.
     pub known: u32,
-    /// Displacement, m, extension positive. A host that knows it should provide it, to prevent drift.
+    /// Displacement, m, extension positive. A host that knows the displacement should provide it, because an integrated
+    /// displacement drifts.
     pub displacement: f64,
     /// Velocity, m/s, extension positive. Always needed.
     pub velocity: f64,

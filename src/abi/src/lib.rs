@@ -21,11 +21,12 @@
 //! positive, compression negative. Tension is positive: a damper that resists extension has a positive
 //! force, and gas that pushes the rod out a negative one. This is stated here once and holds everywhere below.
 //!
-//! Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
-//! program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object. All its names are local,
-//! except dashpot_*. A build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
-//! import only memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
-//! runtime has. They use no allocator, file, lock or thread.
+//! Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library).
+//! Static: program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object.
+//! All its names are local, except dashpot_*. To build the static library from sources, run sh src/dll/static.sh, which
+//! writes it to target/lib. Neither the shared nor the static library needs another library. Both import only memcpy,
+//! memmove, memset, memcmp and bcmp, which compilers call by themselves and every C runtime has. They use no allocator,
+//! file, lock or thread.
 //!
 //! Memory. The library allocates nothing and stores nothing. The caller owns all blocks, as globals, on the stack or
 //! on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may

@@ -17,10 +17,10 @@ use crate::status::{
 use crate::text;
 use crate::version::magic;
 
-/// A prepared model. Nothing in it is for the host.
+/// A prepared model. The host neither reads nor writes its contents.
 #[repr(C, align(16))]
 pub struct dashpot_model {
-    /// The library's.
+    /// Internal data of the library.
     pub opaque: [u64; 6144],
 }
 
@@ -103,7 +103,7 @@ pub(crate) unsafe fn ready<'a>(model: *const dashpot_model) -> &'a Model {
     unsafe { &(*model.cast::<Prepared>()).model }
 }
 
-/// Number of states that a solver of the host integrates (see Evaluation), from 2 to DASHPOT_MAX_STATES.
+/// Returns the number of states that a solver of the host integrates (see Evaluation), from 2 to DASHPOT_MAX_STATES.
 ///
 /// These are the states of the internal mass and the internal states of the elements that are on. A negative result is an error.
 #[unsafe(no_mangle)]
@@ -127,7 +127,7 @@ pub const DASHPOT_MAX_STATES: u32 = 10;
 pub struct dashpot_state_name {
     /// sizeof(dashpot_state_name).
     pub struct_size: u32,
-    /// Its index among the states, from 0.
+    /// Index of the state, from 0.
     pub state: u32,
     /// Name, zero-terminated.
     pub name: [c_char; 48],
@@ -135,7 +135,8 @@ pub struct dashpot_state_name {
     pub unit: [c_char; 16],
 }
 
-/// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->internal[k - 2].
+/// Writes the name and the unit of state `state` of a model, counted from 0, to *name. State k is rate->mass_displacement,
+/// rate->mass_velocity, rate->internal[k - 2].
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_model_state_name(
     model: *const dashpot_model,

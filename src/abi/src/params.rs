@@ -30,7 +30,7 @@ pub struct dashpot_params {
     pub struct_size: u32,
     /// DASHPOT_ABI_VERSION.
     pub abi_version: u32,
-    /// The library's.
+    /// Internal data of the library.
     pub opaque: [u64; 2047],
 }
 
@@ -63,7 +63,7 @@ const _: () = {
     assert!(offset_of!(dashpot_params, abi_version) == offset_of!(Filled, abi_version));
 };
 
-/// Returns the block of parameters if its size and interface version are right.
+/// Returns the block of parameters if its size and interface version are correct.
 ///
 /// # Safety
 /// `params` is null, misaligned, or a block of the caller.
@@ -178,7 +178,7 @@ pub unsafe extern "C" fn dashpot_params_default(params: *mut dashpot_params) -> 
     })())
 }
 
-/// Sets one number, or a choice by its number. A number that depended on the setting is then constant.
+/// Sets one number, or a choice by its index from 0. A number that depended on the setting is then constant.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set(params: *mut dashpot_params, name: *const c_char, value: f64) -> i32 {
     status((|| {
@@ -223,7 +223,7 @@ pub unsafe extern "C" fn dashpot_params_set_list(
     })())
 }
 
-/// Reads one number, or the number of a choice, into *value.
+/// Reads one number, or the index of a choice from 0, into *value.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_get(
     params: *const dashpot_params,
@@ -245,8 +245,8 @@ pub unsafe extern "C" fn dashpot_params_get(
     })())
 }
 
-/// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null it returns only
-/// the length.
+/// Reads a list into values, which has room for capacity numbers, and its length into *count. If values is null, only the
+/// length is returned.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_get_list(
     params: *const dashpot_params,
@@ -302,7 +302,7 @@ pub unsafe extern "C" fn dashpot_params_is_on(
     })())
 }
 
-/// Reads a model file: text holds its length bytes, without a terminating zero.
+/// Reads a model file: text contains the length bytes of the file, without a terminating zero.
 ///
 /// All parameters are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before.
 /// On an error *fault contains the line and the parameter; fault may be null.

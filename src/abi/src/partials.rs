@@ -7,7 +7,8 @@ use core::mem::{align_of, offset_of, size_of};
 use dashpot_core::Partials;
 use dashpot_core::family::BySetting;
 
-/// All partial derivatives at one instant. States in the order that dashpot_evaluate() has; inputs: displacement, velocity.
+/// All partial derivatives at one instant. The states have the order of dashpot_evaluate(); the inputs are displacement and
+/// velocity.
 #[repr(C)]
 pub struct dashpot_partials {
     /// dF/d(input).
@@ -32,7 +33,7 @@ const _: () = {
 /// Derivatives of force and state rates with respect to the commanded setting, at constant states.
 #[repr(C)]
 pub struct dashpot_setting_derivatives {
-    /// dF/d(setting). 0 if the actuator has a lag: the force then follows its state.
+    /// dF/d(setting). 0 if the actuator has a lag, because the force then depends on the actuator's states instead.
     pub d_force_d_setting: f64,
     /// d(rate of state i)/d(setting), in the order of dashpot_partials.
     pub d_rate_d_setting: [f64; 10],

@@ -1,7 +1,8 @@
 //! Setting
 //!
-//! Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A parameter set may hold numbers and
-//! the forces of the FV table over a grid of 2 to 8 settings, as a model file does:
+//! Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A
+//! parameter set may contain one value of a number for each setting of a grid of 2 to 8 settings. The same holds for
+//! the forces of the FV table. A model file contains, for example, these lines:
 //!
 //!     setting = [0.0, 0.8, 1.6]
 //!     setting_name = "current"
@@ -13,11 +14,13 @@
 //! interpolated by monotone cubics, exact on the grid. A setting outside the grid is clamped to its ends (warning DASHPOT_OUTSIDE_SETTING).
 //! At every setting the damper equals one without a setting that has the interpolated numbers.
 //!
-//! The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
-//! "setting_time_down", "setting_rate_up", "setting_rate_down", "setting_hysteresis" and "setting_hysteresis_rest"; "setting_start" is the setting if the host provides none. The actual setting of
-//! the valve is part of the state.
+//! The actuator has a dead time, time constants for a rising and for a falling setting, rate limits and hysteresis.
+//! dashpot_params_set() sets them by the names "setting_dead_time", "setting_time_up", "setting_time_down",
+//! "setting_rate_up", "setting_rate_down", "setting_hysteresis" and "setting_hysteresis_rest". "setting_start" is the
+//! setting if the host provides none. The actual setting of the valve is part of the state.
 //!
-//! An evaluation (see Evaluation) has no history: with a dead time, a host that integrates the states delays the command itself.
+//! An evaluation (see Evaluation) ignores the dead time, because it stores no previous commands. A host that integrates the
+//! states must delay the command itself.
 
 use core::ffi::c_char;
 use core::mem::size_of;
@@ -56,7 +59,7 @@ pub struct dashpot_setting {
     pub unit: [c_char; 32],
 }
 
-/// Sets the grid of the setting: count increasing numbers. Values over the previous grid are dropped.
+/// Sets the grid of the setting: count increasing numbers. All values over the previous grid are removed.
 ///
 /// With count 0 the damper no longer depends on a setting.
 #[unsafe(no_mangle)]
@@ -75,7 +78,7 @@ pub unsafe extern "C" fn dashpot_params_set_grid(params: *mut dashpot_params, gr
     })())
 }
 
-/// Sets a number over the setting: one value for each of the grid.
+/// Makes a number depend on the setting: values contains one value for each setting of the grid.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_params_set_over(
     params: *mut dashpot_params,
@@ -183,10 +186,10 @@ pub unsafe extern "C" fn dashpot_actuator_setting(
     })())
 }
 
-/// Writes the derivative of the force over the actual setting of the valve to *derivative.
+/// Writes the derivative of the force with respect to the actual setting of the valve to *derivative.
 ///
 /// It is the total derivative of the force of dashpot_step() from *from to *to_input; with dt = 0, of the equilibrium force. A controller divides
-/// by it. The call costs two steps. 0 for a damper that depends on no setting.
+/// by this derivative. The call costs two steps. 0 for a damper that depends on no setting.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_d_force_d_setting(
     model: *const dashpot_model,

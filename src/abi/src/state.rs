@@ -1,17 +1,17 @@
 //! State
 //!
 //! The state contains the whole history of a damper, friction hysteresis included, as numbers that the host owns. Copy the structure to
-//! try a step and roll it back, or to save a run and resume it. A run resumed from a copy
-//! repeats the first to the last bit.
+//! try a step and roll it back, or to save a run and resume it. A run resumed from a copy repeats the original run to the last bit.
 //!
 //! A state may be used with another model, for example when a model is prepared again while it
 //! runs. Internal states follow their elements, and an element that was off before starts in equilibrium.
 //!
-//! Derivatives of a step are exact where its force is smooth. At a knee (a point of a piecewise linear curve, a stop, a
-//! reversal, a void that closes) they are one-sided, of the side on which the step was solved, or lie between both sides.
-//! An implicit host should bound its Newton steps there. In a search over random steps, most of them far from real
-//! dampers, one derivative in a thousand has an error above 2 %. With a nonlinear spring nearly as stiff as the series
-//! spring and an element of the oil, a step of 10 ms gives the derivative of the tangent at its last iterate.
+//! Derivatives of a step are exact where its force is smooth. A knee is a point of a piecewise linear curve, a stop, a
+//! reversal or a void that closes. At a knee the derivatives are those of the side on which the step was solved, or lie
+//! between those of both sides. An implicit host should bound its Newton steps there. In a search over random steps,
+//! most of them far from real dampers, one derivative in a thousand has an error above 2 %. With a nonlinear spring
+//! nearly as stiff as the series spring and an element of the oil, a step of 10 ms gives the derivative of the tangent
+//! at its last iterate.
 
 use core::mem::{align_of, offset_of, size_of};
 
@@ -36,7 +36,8 @@ pub struct dashpot_state {
     pub mass_velocity: f64,
     /// Internal states of the elements that are on.
     pub internal: [f64; 8],
-    /// Identifies these states; written by the library. 0 means those of the model that the state is passed to.
+    /// Number that identifies the layout of the internal states; written by the library. 0: the layout of the model
+    /// that the state is passed to.
     pub layout: f64,
     /// 0.
     pub reserved: f64,
@@ -68,7 +69,7 @@ pub struct dashpot_output {
     pub series_deflection: f64,
     /// Force of the stops at the ends of the stroke, N.
     pub stop_force: f64,
-    /// Temperature of the oil that the forces belong to, degrees Celsius.
+    /// Temperature of the oil at which the forces are computed, degrees Celsius.
     pub oil_temperature: f64,
 }
 
@@ -126,7 +127,8 @@ pub(crate) unsafe fn commands(state: *mut dashpot_state) -> *mut Delay {
     unsafe { (&raw mut (*state).commands).cast() }
 }
 
-/// Returns the error `DASHPOT_NOT_COMPUTABLE` unless `numbers` is true. It states whether the results are finite numbers.
+/// Returns the error `DASHPOT_NOT_COMPUTABLE` unless `numbers` is true. `numbers` states whether the results are finite
+/// numbers.
 #[inline(always)]
 pub(crate) fn computed(numbers: bool) -> Result<(), Rejected> {
     if numbers { Ok(()) } else { Err(Rejected(DASHPOT_NOT_COMPUTABLE)) }

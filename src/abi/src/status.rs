@@ -38,7 +38,7 @@ pub const DASHPOT_BAD_INPUT: i32 = -6;
 pub const DASHPOT_BAD_STATE: i32 = -7;
 /// dt is NaN, negative, above 100 s, or above 0 but below 1e-15 s.
 pub const DASHPOT_BAD_TIME_STEP: i32 = -8;
-/// known has a bit that this library does not know.
+/// The member known of an input has a bit that this library does not define.
 pub const DASHPOT_UNKNOWN_FLAG: i32 = -9;
 /// No parameter or element has this name.
 pub const DASHPOT_UNKNOWN_NAME: i32 = -10;
@@ -80,7 +80,7 @@ pub const DASHPOT_FILE_TOO_LONG: i32 = -27;
 pub const DASHPOT_NO_SUCH_ROW: i32 = -28;
 /// The series spring is softer than the parallel spring somewhere within 100 mm.
 pub const DASHPOT_SOFTER_THAN_INNER: i32 = -29;
-/// The elements that are on have more than 8 private states.
+/// The elements that are on have more than 8 internal states.
 pub const DASHPOT_TOO_MANY_STATES: i32 = -30;
 /// Free play or a bushing is on, and series_compliance, which they belong to, is off.
 pub const DASHPOT_NEEDS_SERIES: i32 = -31;
@@ -97,8 +97,8 @@ pub const DASHPOT_NO_SUCH_STATE: i32 = -35;
 pub const DASHPOT_FILE_CUT_OFF: i32 = -36;
 /// The parameter's magnitude is inconsistent with the others.
 ///
-/// Parameters with a force in their unit may be a thousandth to a hundred times those of a car's damper, if all have
-/// one scale. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
+/// Parameters with a force in their unit may be a thousandth to a hundred times those of a car's damper, if one factor
+/// scales all. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
 pub const DASHPOT_OUT_OF_PROPORTION: i32 = -37;
 /// A table of the model file is named as an element; parameters belong above the first `[table]`.
 pub const DASHPOT_FILE_ELEMENT_TABLE: i32 = -38;

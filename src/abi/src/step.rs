@@ -1,7 +1,8 @@
 //! Step
 //!
-//! For hosts with a fixed step. A step runs from the instant of a state to dt later; the input is the one at
-//! the end of the step. The input at its start is not needed again, because the state contains its displacement and velocity.
+//! For hosts with a fixed step. A step runs from the time of a state to a time later by dt. The input is the one at the
+//! end of the step. The input at the start of the step is not needed again, because the state contains its displacement
+//! and velocity.
 //!
 //! dt = 0 is a static evaluation: the equilibrium force at constant displacement and velocity. Presliding friction keeps its
 //! deflection from the motion before. The state does not change.
@@ -53,7 +54,8 @@ pub unsafe extern "C" fn dashpot_force(
     })())
 }
 
-/// One step of dt (s) from *from to the input *to_input; writes the new state to *to and the output there to *output.
+/// Advances the state *from by one step of dt (s), at whose end the input is *to_input. Writes the new state to *to and
+/// the output at the end of the step to *output.
 ///
 /// from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
 #[unsafe(no_mangle)]
@@ -85,12 +87,12 @@ pub unsafe extern "C" fn dashpot_step(
     })())
 }
 
-/// One step of count dampers, such as the four corners of a car.
+/// Advances count dampers by one step of dt (s), such as the four corners of a car.
 ///
 /// models holds count pointers, which may point to the same model. from, to_inputs, to and outputs hold count elements each. from and to
 /// may be the same array. The results equal those of count calls of dashpot_step() to the last bit. All arguments are checked first: an
-/// error of one damper leaves every output unchanged. Only DASHPOT_NOT_COMPUTABLE occurs later: it leaves the dampers before the failed one
-/// advanced, and that one and those after it unchanged. Returns all warnings combined.
+/// error of one damper leaves every output unchanged. Only DASHPOT_NOT_COMPUTABLE occurs later: the dampers before the failed one are then
+/// advanced, and the failed one and all after it are unchanged. Returns all warnings combined.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn dashpot_step_batch(
     count: u32,

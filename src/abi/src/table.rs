@@ -40,9 +40,9 @@ pub struct dashpot_parameter {
     pub name: [c_char; 48],
     /// SI unit; "-" for a pure number.
     pub unit: [c_char; 16],
-    /// The element it belongs to, or the group of settings.
+    /// Name of the parameter's element, or of the group of settings.
     pub element: [c_char; 48],
-    /// One sentence.
+    /// Meaning in one sentence.
     pub meaning: [c_char; 256],
 }
 

@@ -104,7 +104,8 @@ pub struct Above {
     pub curvature: f64,
 }
 
-/// Number of buckets (intervals of the argument) on each side of 0, for a lookup of a piece without comparisons.
+/// Number of buckets (intervals of the argument) on each side of 0. The bucket of an argument replaces most comparisons
+/// in the lookup of its piece.
 const BUCKETS: usize = 256;
 /// Number of points in one bucket of the lookup above which bisection is faster than a linear search.
 const CROWDED: u32 = 3;
@@ -300,8 +301,8 @@ impl Curve {
         &self.pieces[index & (PIECES - 1)]
     }
 
-    /// Returns the number of points at which `key(u, f)` is at most `r`. It is the index of the piece in which the key,
-    /// which rises from point to point, reaches `r`.
+    /// Returns the number of points at which `key(u, f)` is at most `r`. The key rises from point to point, so this
+    /// number is the index of the piece in which the key reaches `r`.
     #[inline(always)]
     fn locate(&self, r: f64, key: impl Fn(f64, f64) -> f64) -> usize {
         let mut index = 0;

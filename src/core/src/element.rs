@@ -192,8 +192,8 @@ pub trait StatefulForce {
         self.equilibrium(at)
     }
 
-    /// Returns whether the steady state depends on the displacements before it, as at zero velocity, instead of the
-    /// velocity.
+    /// Returns whether the steady state depends on the preceding displacements instead of the velocity, as that of a
+    /// friction contact at rest.
     fn is_path_dependent(&self, _at: &OperatingPoint) -> bool {
         false
     }

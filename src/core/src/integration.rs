@@ -18,18 +18,19 @@ pub struct Integration {
     /// Number of substeps inside one host step. If it is 0, the rates of the model determine the number
     /// ([`Integration::per_time`]).
     pub substeps: u32,
-    /// Rate, 1/s, from the model's stiffness, that determines small numbers n of substeps: per_time times the host step
-    /// is n², or n^1.5 with `cubic`.
+    /// Rate, 1/s, that determines the number n of substeps if n is small; it follows from the model's stiffness. The
+    /// product of `per_time` and the host step is n², or n^1.5 with `cubic`.
     pub per_time: f64,
     /// Whether `per_time` times the host step is n^1.5 instead of n², for n substeps.
     cubic: bool,
-    /// Rate, 1/s, that determines large numbers n of substeps: n is at least this rate times the host step, minus ½.
+    /// Rate, 1/s, that determines the number n of substeps if n is large: n is at least this rate times the host step,
+    /// minus ½.
     many_per_time: f64,
     /// Natural angular frequency, rad/s, of a ringing (weakly damped) internal mass ([`RINGS`]); 0 if the mass does not
     /// ring.
     rings_at: f64,
-    /// Natural angular frequency, rad/s, of a ringing internal mass whose energy is removed by steps too long to
-    /// resolve it ([`Integration::method_of`]). Equals `rings_at`, or 0 with an oil column or a void.
+    /// Natural angular frequency, rad/s, of a ringing internal mass. Host steps too long to resolve its oscillation
+    /// remove its energy ([`Integration::method_of`]). Equals `rings_at`, or 0 with an oil column or a void.
     quiets_at: f64,
     /// Longest host step, s, for which one substep of the method suffices.
     one_up_to: f64,
@@ -37,8 +38,8 @@ pub struct Integration {
     pub(crate) cheap_up_to: f64,
 }
 
-/// Factor on a spool valve's frequency (one over its time constant) before it is compared with that of the mass in the
-/// choice of substeps.
+/// Factor by which a spool valve's frequency, one over its time constant, is multiplied in the choice of substeps. The
+/// larger of this product and the frequency of the mass determines the substeps.
 const SPOOL: f64 = 12.0;
 
 /// Mean derivative of the FV curve at which the internal mass overshoots as in the default damper (overshoot L = 1).
@@ -50,7 +51,7 @@ const SLACK: f64 = 0.94;
 /// Each is half the next one, down to an eighth of the range. A horizontal part of the curve around zero velocity is
 /// detected if it extends to an eighth of the range; a shorter one is not.
 const SPEEDS: [f64; 4] = [0.125, 0.25, 0.5, 1.0];
-/// Limits of the automatic choice for the mass behind a linear spring.
+/// Limits of the automatic choice of method and substeps, for the internal mass behind a linear spring.
 ///
 /// The method of three stages requires n² ≥ `EVEN` f L^1.6, that of four stages n³ ≥ `CUBIC` L f². Here n is the number
 /// of substeps, f the angular frequency of the mass times the step, rad, and L its overshoot ([`SLACK`]). The limits
@@ -74,9 +75,9 @@ const SEVERAL: f64 = 2.0;
 const TURNS: f64 = 4.0;
 const WHOLE: f64 = 20.0;
 const RUBBER: f64 = 0.33;
-/// Rate of two substeps per millisecond, 1/s. It is the minimum for [`Nonlinearity::Several`] and [`Nonlinearity::Turning`], even
-/// with a soft series spring. These elements make the force nonlinear by themselves. With fewer substeps, the error of
-/// oil with air exceeds a thousandth at steps of 2 ms.
+/// Rate of two substeps per millisecond, 1/s. It is the minimum for [`Nonlinearity::Several`] and
+/// [`Nonlinearity::Turning`], even with a soft series spring. These elements make the force nonlinear by themselves.
+/// With fewer substeps, the error of oil with air exceeds a thousandth at steps of 2 ms.
 const TWO_A_MILLISECOND: f64 = 2e3;
 
 /// Overshoot L from which a mass counts as ringing. L is the ratio of √(k_s m) to the damping, relative to the default
@@ -174,8 +175,8 @@ impl Integration {
         }
         let (damping, impedance) = (least_derivative(elements), libm::sqrt(stiffness * mass));
         let swings = (SLACK * impedance / damping).clamp(0.25, 10.0);
-        // The series damping also damps the oscillation of the mass, but it makes no force nonlinear, so it counts only
-        // here.
+        // The series damping also damps the oscillation of the mass, but it makes no force nonlinear, so it enters only
+        // this criterion.
         let damped = damping + elements.paths.series_compliance.damping;
         let rings_at = if elements.has_series() && SLACK * impedance >= RINGS * damped { alone } else { 0.0 };
         let quiets_at = if elements.paths.has_column() || elements.paths.has_cavitation() { 0.0 } else { rings_at };
@@ -339,7 +340,7 @@ fn even(times: f64, frequency: f64, swings: f64) -> f64 {
 /// range.
 ///
 /// This derivative measures the damping of the oscillating internal mass. The mean over the whole range alone would
-/// overestimate the damping of a curve that is horizontal around rest.
+/// overestimate the damping of a curve that is horizontal around zero velocity.
 fn least_derivative(elements: &Elements) -> f64 {
     let curve = &elements.paths.fv_curve;
     let (low, high) = curve.range();

@@ -10,8 +10,8 @@ use crate::state::MAX_INTERNAL;
 /// Bit that every layout contains, to detect uninitialized numbers. It is higher than the bits of all kinds of states,
 /// and a double represents it exactly.
 pub(crate) const MARK: u64 = 1 << 40;
-/// Number of kinds of internal states in the force path. A state whose quantity depends on the form of its element has
-/// one kind for each quantity.
+/// Number of kinds of internal states in the force path. If the form of an element determines the physical quantity of
+/// its state, each quantity is a kind of its own.
 const IN_PATHS: u32 = 11;
 
 /// Bit of the lag state of a setting's actuator in the layout of a family, above the bits of all elements.

@@ -21,9 +21,9 @@
 //!
 //! `T` is the owner of an element's tables ([`crate::tables`]). `T` must be in scope where the list is expanded.
 //!
-//! Code that needs the list passes the name of a macro to [`each_element!`], which calls that macro with all blocks. In
-//! this way [`crate::parameter::groups`] makes the groups of the table, and [`crate::assembly`] the prepared set of the
-//! model.
+//! Code that needs the list passes the name of a macro to [`each_element!`], which calls that macro with all blocks.
+//! [`crate::parameter::groups`] makes the groups of the parameter table in this way, and [`crate::assembly`] the set of
+//! prepared elements.
 
 /// Calls the macro `then!` with the list of elements.
 macro_rules! each_element {

@@ -12,8 +12,8 @@ use crate::{element, number};
 /// Largest displacement from zero, m, up to which the springs on the internal mass must not be stiffer than the series
 /// spring.
 const STROKE: f64 = 0.1;
-/// Number of displacements on each side of 0, half a millimeter apart, at which [`Model::check`] compares stiffnesses.
-/// They are those of the springs on the mass and of the series spring.
+/// Number of displacements on each side of 0, half a millimeter apart, at which [`Model::check`] compares two
+/// stiffnesses. These are the stiffness of the springs on the internal mass and that of the series spring.
 const PLACES: i32 = 200;
 
 /// Units of the internal states of parallel elements. The state of an element that is not listed has the unit "-".
@@ -140,7 +140,8 @@ mod tests {
     use crate::list;
     use crate::parameter::Number;
 
-    /// The numbers of states counted from the parameters and from the prepared model agree for any set of elements.
+    /// The number of states counted from the parameters equals that counted from the prepared model, for any set of
+    /// elements.
     #[test]
     fn states_are_counted_alike_before_and_after() {
         let all: std::vec::Vec<_> = Element::all().collect();

@@ -415,8 +415,8 @@ impl<'a> Reader<'a> {
         })
     }
 
-    /// Returns whether the next value is given over the settings. It is then a list for a number or a choice, and a
-    /// list of lists for a list. The number of entries is not checked.
+    /// Returns whether the next value has one entry for each setting of the grid. For a number or a choice, such a
+    /// value is a list; for a list, it is a list of lists. The number of entries is not checked.
     fn is_over_setting(&self, row: Row) -> bool {
         let mut ahead = Reader { ..*self };
         if !ahead.take(b'[') {

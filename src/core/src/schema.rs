@@ -121,7 +121,7 @@ impl Parameter {
         }
     }
 
-    /// Returns the number of values for which a parameter set has memory: the capacity of a list, otherwise 1.
+    /// Returns the number of values that a parameter set stores for this row: the capacity of a list, otherwise 1.
     pub(crate) const fn slots(&self) -> usize {
         match self.shape {
             Shape::List(capacity) => capacity,

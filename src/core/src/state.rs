@@ -58,11 +58,11 @@ impl State {
 pub struct Output {
     /// Damper force, N, tension positive.
     pub force: f64,
-    /// Derivative of the force with respect to the input's displacement, N/m: at constant states for an instant, the
-    /// total derivative for a step.
+    /// Derivative of the force with respect to the input's displacement, N/m. An evaluation at an instant returns the
+    /// derivative at constant states, a step returns the total derivative.
     pub d_force_d_displacement: f64,
-    /// Derivative of the force with respect to the input's velocity, N s/m: at constant states for an instant, the
-    /// total derivative for a step.
+    /// Derivative of the force with respect to the input's velocity, N s/m. An evaluation at an instant returns the
+    /// derivative at constant states, a step returns the total derivative.
     pub d_force_d_velocity: f64,
     /// Hydraulic force, N: that of the primary damper (FV curve), with the effects of oil and valves.
     pub primary_force: f64,

@@ -4,8 +4,8 @@
 //! In every stage the velocity u of the internal mass m solves one scalar equation. x_in and v_in are displacement and
 //! velocity of the moving end, x_m is the displacement of the mass. k_s and c_s are stiffness and damping of the series
 //! compliance. F_p is the force of the springs on the mass, and F_d the FV curve. X and V are the known parts of the
-//! mass's displacement and velocity in the stage. g is γh, with the diagonal coefficient γ of the method and the length
-//! h of the substep:
+//! mass's displacement and velocity in the stage: start values plus the weighted gains of the previous stages. g is γh,
+//! with the diagonal coefficient γ of the method and the length h of the substep:
 //!
 //! ```text
 //! x_m = X + g u,   m (u − V) = g [k_s (x_in − x_m) + c_s (v_in − u) − F_p(x_m) − F_d(u)]
@@ -211,15 +211,16 @@ fn step_by_its_method(
 
 /// Returns whether a step of `dt`, s, is one substep of the three-stage method. Most steps are, so this case has its
 /// own compiled code. All other steps share the code around their stages. Steps with five stages, nonlinear springs or
-/// a fading curve also share the code of the stages ([`mass`]). Separate code for each case would be a third of the
-/// library.
+/// a fading curve also share the code of the stages ([`mass`]). Separate code for each case would make up a third of
+/// the library.
 #[inline(always)]
 fn is_common(model: &Model<impl Tables>, dt: f64) -> bool {
     let of = &model.integration;
     of.method == Method::ThreeStage && of.is_one(dt)
 }
 
-/// Returns the method of a step of `dt`, s, without a bushing, whose stiffness would rise in the step.
+/// Returns the method of a step of `dt`, s, of a damper without a bushing. With a bushing, the method also depends on
+/// the rise of its stiffness in the step.
 fn tableau(model: &Model<impl Tables>, dt: f64) -> &'static Tableau {
     let of = &model.integration;
     Tableau::for_method(of.method_of(dt, of.substeps(dt), || 1.0))
@@ -483,9 +484,9 @@ fn answer_by<P: Primary, const COMMON: bool, const BENT: bool>(
 
 /// Advances a state in place and passes every stage to `follow`.
 ///
-/// The derivatives of the output treat the internal mass as fixed, unless [`Follow::yields`] returns its share. Unless
-/// `follow` requests derivatives, they also treat the internal states as fixed. For dampers with elements in the series
-/// or hydraulic path, use [`advance_paths`], because their stages differ.
+/// The derivatives of the output treat the internal mass as fixed, unless [`Follow::yields`] returns the effect of its
+/// motion. Unless `follow` requests derivatives, they also treat the internal states as fixed. For dampers with
+/// elements in the series or hydraulic path, use [`advance_paths`], because their stages differ.
 pub fn advance(model: &Model, state: &mut State, to: &Input, dt: f64, follow: &mut impl Follow, output: &mut Output) {
     let method = tableau(model, dt);
     advance_by::<Plain, _, _, false, true>(method, model, to, dt, follow, state, output);

@@ -6,7 +6,8 @@ use dashpot_core::parameter::{Acts, Element, Number, acts};
 /// Bounds with which a force is compared.
 #[derive(Clone, Copy, PartialEq, Eq)]
 pub enum Against {
-    /// The elements' forces along the motion, and the forces in short steps. A force that exceeds both bounds is an error.
+    /// Two bounds: the elements' forces along the motion, and the forces in short steps. A force that exceeds both is an
+    /// error.
     Possible,
     /// The forces in short steps alone. Forces below the sum of the single elements' forces are not compared.
     ///
@@ -190,7 +191,8 @@ fn by(case: &Case, method: f64, substeps: f64) -> Case {
     other
 }
 
-/// Describes the first similar damper whose force in short steps would explain the case, or else the one with the largest force.
+/// Describes the first similar damper whose force in short steps would explain the case. If there is none, describes the similar
+/// damper with the largest force.
 ///
 /// An integration method shifts the natural frequency of a mass that its steps hardly resolve. A heavier mass or a softer spring may have,
 /// in short steps, the force of the case in long steps. Then the case shows only this shift of a resonance.

@@ -227,8 +227,8 @@ fn a_cheap_step_does_not_follow_the_tangent_of_a_jump() {
     assert_eq!(checked, 100);
 }
 
-/// If friction decreases with velocity, so may the residual of the equation of an integration stage. The solver then uses substitute
-/// derivatives.
+/// If friction decreases with velocity, the residual of the equation of an integration stage may decrease too. The solver then uses
+/// substitute derivatives.
 ///
 /// In an earlier version, a Newton step with a substitute derivative accelerated the mass to 3 km/s, and the force was 3 MN.
 #[test]
@@ -392,7 +392,8 @@ fn a_spool_that_turns_inside_a_step() {
     holds(&case);
 }
 
-/// One half of the FV curve is horizontal. The other is a thousand times steeper than the response of soft oil and mass.
+/// One half of the FV curve is horizontal. The other half is a thousand times steeper than the response of soft oil and
+/// mass.
 ///
 /// In an earlier version, all midpoints of the solver's bracket lay at one end, and an integration stage ended without a root. A force of
 /// 37 N accelerated half a kilogram to 0.16 m/s in 10 µs (seed 503, case 3947 of the search).

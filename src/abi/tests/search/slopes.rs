@@ -12,7 +12,8 @@ use std::mem::zeroed;
 /// A wide difference may include a knee of the force that a narrow one excludes. For a void of a few nanometers, the opposite holds.
 const WIDTHS: [[f64; 7]; 2] =
     [[1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11], [1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8]];
-/// Largest deviation of a derivative from a finite difference, relative to the largest one. A host's Newton iteration tolerates it.
+/// Largest deviation of a derivative from the finite differences, relative to the largest of the derivative and the one-sided
+/// differences. A host's Newton iteration tolerates this deviation.
 const NEAR: f64 = 0.02;
 /// Rounding error of a finite difference of forces, relative to the forces.
 const ROUNDING: f64 = 1e-13;
@@ -20,7 +21,7 @@ const ROUNDING: f64 = 1e-13;
 /// iteration one step earlier or later.
 const AS_GOOD_AS_STILL: [f64; 4] = [-1e-2, -1e-3, 1e-3, 1e-2];
 
-/// A comparison that failed: its step and a description.
+/// A failed comparison: the step in which it failed, and a description.
 pub struct Off {
     pub step: usize,
     pub what: String,

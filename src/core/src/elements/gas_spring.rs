@@ -152,8 +152,8 @@ impl GasSpring {
     }
 }
 
-/// Returns three weights in the state after relaxation toward a moving target: of the target's derivatives at start and
-/// end, and of its change.
+/// Returns the weights of three quantities in the state after relaxation toward a moving target. The quantities are the
+/// target's derivatives at start and end of the step, and its change.
 ///
 /// The argument holds the moments from [`relaxation`]. The target, like the path, is the cubic through the values and
 /// derivatives at start and end of the step. The coefficients p_1 to p_3 of the cubic are s, 3 d − 2 s − e and s + e −

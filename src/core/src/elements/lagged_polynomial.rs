@@ -26,8 +26,8 @@ pub struct LaggedPolynomial {
 
 const V2: Own<LaggedPolynomial, One> = Own::named("lag_v2");
 const MAX_TERMS: usize = 12;
-/// Number of parts of a step. In each part, the mean of the relaxation rate over the part replaces the rate, one over
-/// the time constant.
+/// Number of parts into which a step is divided. In each part, the relaxation rate (one over the time constant) is
+/// replaced by its mean over the part.
 const PARTS: usize = 4;
 
 impl Describe for LaggedPolynomial {

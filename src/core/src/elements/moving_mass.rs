@@ -75,15 +75,15 @@ impl MovingMass {
     /// at both ends of the step is that of the host.
     ///
     /// Inertia follows from velocities. The displacement over the step gives the mean velocity and thus the curvature
-    /// p_2. The curvature is limited to the change of the acceleration since the start of the step. The acceleration
-    /// was then (v_0 − z)/τ, with the host's velocity v_0, the velocity `z` of the mass and its lag τ. If the host
-    /// samples a given motion, the limit does not reduce the order of accuracy. A semi-implicit host advances
+    /// p_2. The curvature is limited to the change of the acceleration since the start of the step. At the start, the
+    /// acceleration is (v_0 − z)/τ, with the host's velocity v_0, the velocity `z` of the mass and its lag τ. If the
+    /// host samples a given motion, the limit does not reduce the order of accuracy. A semi-implicit host advances
     /// displacement with the velocity at one end of the step. Without the limit, that displacement would imply a
     /// curvature of three times the change of velocity. A mass of 2 kg would act as −2 or as 6 kg.
     ///
-    /// For a curvature that 1 nm of displacement would cause, rounding decides whether the limit applies. The
-    /// derivatives are then those of the linear velocity. If the limit is also this small, the derivatives are those of
-    /// the limit.
+    /// If the curvature is at most that of 1 nm of displacement, rounding decides whether the limit applies. The
+    /// derivatives are then those of a velocity that is linear in time. If the limit is also this small, the
+    /// derivatives are those of the limit.
     #[inline(always)]
     fn velocity<R: Real>(&self, path: &Path, z: f64, x1: R, v1: R) -> [R; 3] {
         let [start, _, by_displacement] = path.travel(x1, v1).velocity();

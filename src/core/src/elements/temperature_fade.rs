@@ -10,16 +10,15 @@ use crate::schema::{Describe, Parameter, View};
 ///
 /// The factor is the viscosity of the oil at the temperature T relative to that at T_0, the temperature of the FV
 /// curve. α is the relative fall per kelvin at T_0, 1/K, and κ, 1/K, lowers it at higher temperatures. The laminar part
-/// is 1/(1 +
-/// |F_d|/F_l) of F_d, half of it at the force F_l; orifices and blow-off valves do not depend on the viscosity. κ = 0
-/// gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for damper oils. T is the
-/// temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The rise satisfies C_h dϑ/dt
-/// = F_h (w + b) − h ϑ, with the heat capacity C_h, J/K, and the heat transfer h, W/K. F_h is the hydraulic force, w
-/// the oil velocity at the valves, and b the flow parallel to the valves, as a piston velocity.
+/// is 1/(1 + |F_d|/F_l) of F_d, half of it at the force F_l; orifices and blow-off valves do not depend on the
+/// viscosity. κ = 0 gives an exponential, κ = 1/(T_0 + C) Vogel's law (Phys. Z. 22, 1921), with C about 95 °C for
+/// damper oils. T is the temperature from the host, or the ambient temperature plus the rise ϑ by self-heating. The
+/// rise satisfies C_h dϑ/dt = F_h (w + b) − h ϑ, with the heat capacity C_h, J/K, and the heat transfer h, W/K. F_h is
+/// the hydraulic force, w the oil velocity at the valves, and b the flow parallel to the valves, as a piston velocity.
 #[derive(Clone, Copy, Debug)]
 pub struct TemperatureFade {
     coefficient: f64,
-    /// κ, 1/K: how fast the fall per kelvin gets smaller with temperature.
+    /// Parameter κ, 1/K, which reduces the fall per kelvin at higher temperatures.
     slackening: f64,
     reference: f64,
     /// One over the force F_l at which half of the force is laminar, 1/N; 0 if all of it is.

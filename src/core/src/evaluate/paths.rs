@@ -18,8 +18,8 @@ use crate::tables::{ForceLaw, Tables};
 /// Number of variables with respect to which one evaluation differentiates.
 ///
 /// All evaluations here use this number type, even those that need no derivatives, because hosts call them rarely. The
-/// thirteen variables are ten states, the motion of the moving end, and the oil velocity. With all of them at once, the
-/// machine code was as long as that of all steps together.
+/// thirteen variables are ten states, the motion of the moving end, and the oil velocity. With derivatives with respect
+/// to all of them in one evaluation, the machine code was as long as that of all steps together.
 const DIRECTIONS: usize = 4;
 
 /// Number with its derivatives with respect to the [`DIRECTIONS`] variables of one evaluation.

@@ -19,7 +19,7 @@ pub const LARGEST_SETTING: f64 = 1e9;
 /// Smallest interval between two grid values, relative to the range of the grid. A grid with closer values is rejected.
 const LEAST_INTERVAL: f64 = 1e-6;
 
-/// Description of a number of the setting that is not a parameter of the damper, such as a time constant of the
+/// Description of a numeric entry of the setting that is not a parameter of the damper, such as a time constant of the
 /// actuator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Entry {
@@ -37,7 +37,7 @@ const fn entry(name: &'static str, unit: &'static str, bounds: (f64, f64), meani
     Entry { name, unit, bounds, meaning }
 }
 
-/// Descriptions of the numbers of a setting, in the order of [`Axis::number`].
+/// Descriptions of the numeric entries of a setting, in the order of the indices of [`Axis::number`].
 pub const ENTRIES: [Entry; 8] = [
     entry(
         "setting_start",
@@ -480,8 +480,8 @@ impl Axis {
         Ok(())
     }
 
-    /// Makes a definition of a family that has the parameter sets `sets` at the grid values. Returns the first set, and
-    /// an axis with the values that differ.
+    /// Makes the definition of a family from one parameter set per grid value. Returns the first set, and an axis with
+    /// the values that differ between the sets.
     ///
     /// # Errors
     /// Returns an error for sets that differ in a value that cannot depend on the setting. An invalid grid, and a
@@ -519,7 +519,8 @@ impl Axis {
         Ok((*first, axis))
     }
 
-    /// Returns the parameters that depend on the setting and affect stored energy or the force at rest.
+    /// Returns the parameters that depend on the setting and do not only affect dissipation: they affect stored energy
+    /// or the force at rest.
     ///
     /// A change of the setting may do work on the host through these parameters. If the result is empty, the damper is
     /// passive for any change of the setting, with two exceptions. An FV curve with a force at zero velocity that depends

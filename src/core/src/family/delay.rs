@@ -2,7 +2,8 @@
 //!
 //! [`CELLS`] cells of equal length store the signal of the last dead time. Each cell stores the mean of the signal over
 //! its length. The output of a step is the mean of the delayed signal over the step. For any step lengths, every part
-//! of the signal counts exactly once. The delay of a change equals the dead time to within the length of a cell.
+//! of the signal contributes exactly once to the outputs. The delay of a change equals the dead time to within the
+//! length of a cell.
 
 use crate::math::max;
 

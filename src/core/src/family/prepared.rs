@@ -259,7 +259,7 @@ impl Family {
         self.start = axis.start();
         self.actuator = axis.actuator();
         self.set_numbers(axis);
-        // Choose the most expensive of the integrations at the grid values, which is accurate enough at all of them.
+        // Use the most expensive of the integrations at the grid values. It is accurate enough at all grid values.
         let mut chosen = Integration::OFF;
         let mut cheap_up_to = f64::INFINITY;
         for (index, setting) in grid.iter().enumerate() {
@@ -612,8 +612,8 @@ impl Family {
         (self.actuator.advance(&stand, u, dt), Some(after))
     }
 
-    /// Computes the total derivative of the force at the end of a step with respect to the actual setting there. With
-    /// `dt = 0`, the result is the derivative of the equilibrium force. Returns `None` if a force is not finite.
+    /// Computes the total derivative of the force at the end of a step with respect to the actual setting at that time.
+    /// With `dt = 0`, the result is the derivative of the equilibrium force. Returns `None` if a force is not finite.
     #[inline(never)]
     pub fn d_force_d_setting(
         &self,

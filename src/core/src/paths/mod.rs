@@ -312,7 +312,7 @@ impl<T: Tables> Paths<T> {
     }
 }
 
-/// Passing of data between the elements.
+/// Data that one element passes to another when a model is prepared.
 impl Paths {
     /// Computes what one element needs from another: the conductance of a lagging valve from the FV curve.
     pub(crate) fn join(&mut self) {

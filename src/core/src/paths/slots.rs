@@ -25,7 +25,8 @@ pub mod place {
     pub const VOID: usize = 5;
     /// State of frequency-selective damping: a lagged force, N, or a filled fraction of a chamber.
     pub const SELECTIVE: usize = 6;
-    /// State of valve hysteresis: the opening of the valve, or the force, N, whose steady position the valve has.
+    /// State of valve hysteresis: the opening of the valve, or the force, N, under which the valve's position would be
+    /// steady.
     pub const VALVE: usize = 7;
     /// Time derivative of the state of a valve with mass, times its time constant, N.
     pub const VALVE_RATE: usize = 8;

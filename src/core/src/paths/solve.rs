@@ -12,8 +12,8 @@ pub const ITERATIONS: usize = 96;
 /// Number of Householder steps inside a piece of the FV curve. The iterations correct the error of these steps.
 const STEPS: usize = 2;
 
-/// Size of a Newton step, relative to the oil velocity, up to which it is used. For a larger step, the FV curve is
-/// solved with all its knees.
+/// Largest Newton step, relative to the oil velocity, that the iteration uses. Instead of a larger step, it solves the
+/// linearized equation with the whole FV curve, including the knees.
 const NEAR: f64 = 1e-2;
 /// Number of iterations after which the steps probably oscillate, so that every other iteration bisects the bracket.
 const PATIENCE: usize = 12;
@@ -25,8 +25,8 @@ const SETTLED: f64 = 1e-4;
 /// Largest residual R of the stage equation at which [`oil_velocity`] accepts a linear last step. R is divided by its
 /// derivative with respect to the oil velocity w, and is relative to w.
 ///
-/// With a steep curve and soft oil, a small step in w is a large step of the mass. A linear step across a knee would
-/// then cause a large error.
+/// With a steep curve and soft oil, a small step in w causes a large step of the mass. A linear step across a knee
+/// would then cause a large error.
 const STRAIGHT: f64 = 1e-4;
 
 /// Largest number of bisections in [`middle`]: the number of binary digits of a velocity. All are necessary only if

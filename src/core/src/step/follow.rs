@@ -38,8 +38,8 @@ pub struct Stage<'a> {
     /// Derivative of the solution u with respect to the velocity v̂ about which the FV curve was linearized; 0 if the
     /// curve itself was solved.
     pub by_guess: f64,
-    /// Derivatives of the linearization's velocity v̂ with respect to displacement and velocity at the end of the step,
-    /// through the motion of the moving end.
+    /// Derivatives of the linearization's velocity v̂ with respect to displacement and velocity at the end of the step.
+    /// They contain only the effect of the moving end's motion.
     pub guess_by_end: [f64; 2],
     /// Derivative of the linearized spring force with respect to the position of its linearization.
     pub line: Line,

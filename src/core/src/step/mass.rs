@@ -26,7 +26,7 @@ struct Substep<'a, T: Tables, P> {
     elements: &'a Elements<T>,
     primary: P,
     path: &'a Path,
-    /// Start of the substep as a fraction of the step; `part` is its length as such a fraction.
+    /// Start of the substep. `part` is its length. Both are fractions of the step.
     theta: f64,
     part: f64,
     /// Whether the substep ends the step.

@@ -41,7 +41,8 @@ struct Extras<'a> {
     internal: &'a mut [f64; MAX_INTERNAL],
     output: &'a mut Output,
     derivatives: bool,
-    /// Whether the elements that can act on the mass do so. The step of the mass has already advanced their states.
+    /// Whether the elements that can act on the internal mass act on it. The step of the mass has then already advanced
+    /// their states.
     on_mass: bool,
     sum: Response,
 }

@@ -10,12 +10,13 @@
 //! F_d is the FV curve, s its factor for position and temperature, and N the effect of the lagging valve and
 //! frequency-selective damping. F_h is the resulting hydraulic force. q is the deflection of the oil column, and s(x,
 //! q) the part of the stroke that the column absorbs. e is the depth of the void, ė its rate, and σ the sign of the
-//! stroke that opens it. b is the flow that bypasses the valves. x and v are the motion of the moving end, x_m and u
-//! that of the internal mass m. F_s is the series force, and F_p that of the springs on the mass. X, V, S and E are the
-//! stage's known parts of x_m, u, s(x, q) and e. g, s, is the weight of the rates. x_0 is the displacement of the
-//! moving end before the stage. The equation is solved to rounding accuracy (see [`crate::paths::solve`]), so its
-//! derivatives are those of the implicit function. The temperature changes slowly, so the damping in a stage uses the
-//! known part of the temperature.
+//! stroke that opens it. b is the flow that bypasses the valves, as a piston velocity. x and v are the motion of the
+//! moving end, x_m and u that of the internal mass m. F_s is the series force, and F_p that of the springs on the mass.
+//! X, V, S and E are the stage's known parts of x_m, u, s(x, q) and e: start values plus the weighted gains of the
+//! previous stages. g, s, is the weight of the rates (time derivatives) of the states in the stage. x_0 is the
+//! displacement of the moving end before the stage. The equation is solved to rounding accuracy (see
+//! [`crate::paths::solve`]), so its derivatives are those of the implicit function. The temperature changes slowly, so
+//! the damping in a stage uses the known part of the temperature.
 
 mod on_mass;
 mod stage;
@@ -52,7 +53,8 @@ struct Known<'a> {
     row: &'a [f64],
     g: f64,
     moved_from: MovedFrom,
-    /// Weight, s, of the rate of the valve's state: that of the stage, or the time since the start of the substep.
+    /// Weight, s, of the rate of the valve's state. It is the weight g of the stage or, with `valve_jumps`, the time
+    /// since the start of the substep.
     since: f64,
     /// Whether `since` is the time since the start of the substep.
     valve_jumps: bool,
@@ -69,9 +71,10 @@ struct Known<'a> {
 /// stroke. It then changes by s(x) − s(X) due to the motion from X to x.
 ///
 /// X is a combination of the previous stages, like the known parts of the states. At constant pressure, the column then
-/// changes by the exact stroke of the step, independent of the velocities v at the stages. Consider X = x − g v
-/// instead, with the weight g of the stage. With the cheapest method, the column would then not change at all in a
-/// stroke that ends at rest. With the other methods, the error would reach a whole stroke in a step from end to end.
+/// changes by the exact stroke of the step, independent of the velocities v at the stages. The alternative X = x − g v,
+/// with the weight g of the stage, has a large error. With the cheapest method, the column would not change at all in a
+/// stroke that ends with zero velocity. With the other methods, the error would reach the whole stroke in a step from
+/// one end of the stroke to the other.
 #[derive(Clone, Copy, Debug)]
 struct MovedFrom {
     x: f64,
@@ -207,7 +210,7 @@ impl Carried {
         on_mass: [0.0; on_mass::MOST],
     };
 
-    /// Propagates one direction through the stage: see [`StageDerivatives::carry`].
+    /// Propagates the derivatives in one direction through the stage: see [`StageDerivatives::carry`].
     #[inline(always)]
     fn over<const ON: u32>(&mut self, stage: &PathsStage<impl Tables, ON>, mut seed: Seed) {
         seed.known = known_part::<ON>(&self.states, stage.row, &self.gains, stage.index);
@@ -462,7 +465,7 @@ impl Now {
 struct Substep<'a, T: Tables> {
     elements: &'a Elements<T>,
     path: &'a Path,
-    /// Start of the substep as a fraction of the step; `part` is its length as such a fraction.
+    /// Start of the substep. `part` is its length. Both are fractions of the step.
     theta: f64,
     part: f64,
     /// Whether the substep ends the step.
@@ -481,15 +484,15 @@ const SHUT: f64 = 1e-9;
 
 /// Number of pieces into which a substep is divided if the model's method overshoots a reversal.
 const CALM: u32 = 8;
-/// Largest allowed difference between a substep's end force and that of its latest stage before the end, relative to a
-/// linear extrapolation.
+/// Largest allowed change of the force from the latest stage to the end of a substep, relative to the change by linear
+/// extrapolation. The extrapolated change is the range of the stage forces times [`Tableau::goes_on`].
 ///
 /// For a force that grows with the square of time from zero, the ratio is 1.75. With a limit of 2.5, the end force of a
 /// released bushing was 1.8 times too high at steps of 2 ms. (This is case 53629 of seed 295465 of the random search in
 /// `dashpot-abi`.) With a limit of 2, this error does not occur. For a spool at a reversal, the ratio was 3.2.
 const THROWN: f64 = 2.0;
-/// Difference between the end force and that of the latest stage, relative to the size of the forces, below which no
-/// overshoot is detected.
+/// Further allowed change of the force from the latest stage to the end of a substep, so that a small change is no
+/// overshoot. It is relative to the sum of the magnitudes of the largest and the smallest stage force.
 const ROUGHNESS: f64 = 0.02;
 
 /// Returns whether the force `end` at the end of a substep is consistent with the forces `stages` of its previous
@@ -559,7 +562,7 @@ impl<T: Tables> Substep<'_, T> {
         }
     }
 
-    /// Runs [`Substep::run`], compiled once for all callers.
+    /// Runs [`Substep::run`] in a function that is compiled once for all callers.
     #[inline(never)]
     fn run_apart<const ON: u32>(
         &self,

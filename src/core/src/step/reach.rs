@@ -38,8 +38,9 @@ pub(super) fn springs(
 /// Half the width of the central difference for the second derivative of a spring, m.
 const CURVATURE_WIDTH: f64 = 1e-6;
 
-/// Computes the derivative, N/m, of the springs' tangent at the mass position `x_m` with respect to the position x̂ of
-/// its contact point `at`. It is F_p''(x̂) (x_m − x̂) for the spring force F_p.
+/// Computes the derivative, N/m, of the force of the springs' tangent, evaluated at the mass position `x_m`, with
+/// respect to the position of the linearization. This position x̂ is the displacement of `at`. The derivative is
+/// F_p''(x̂) (x_m − x̂) for the spring force F_p.
 #[inline(never)]
 pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &OperatingPoint, x_m: f64) -> f64 {
     let derivative = |x: f64| e.inner(&OperatingPoint { displacement: x, ..*at }).d_force_d_x;

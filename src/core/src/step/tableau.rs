@@ -14,10 +14,10 @@ pub(super) struct Tableau {
     pub gamma: f64,
     /// Reciprocal of the diagonal coefficient, 1/γ.
     pub per_gamma: f64,
-    /// Coefficients below the diagonal over the diagonal one, a_ij/γ: weights of the gains of the previous stages. A
-    /// gain is γ times the length of the substep times the rate.
+    /// Coefficients below the diagonal, divided by the diagonal coefficient: a_ij/γ. They are the weights of the gains
+    /// of the previous stages. A gain is γ times the length of the substep times the rate.
     pub weights: [[f64; MOST_STAGES]; MOST_STAGES],
-    /// Times of the stages as fractions of the step.
+    /// Times of the stages as fractions of the substep.
     pub c: [f64; MOST_STAGES],
     /// Index of the stage with the latest time before the last stage; 0 if the force at the end is not checked: see
     /// [`super::paths`].
@@ -112,7 +112,7 @@ pub(super) static SECOND: Tableau = {
 /// Smallest diagonal coefficient with which three stages of order 2 are L-stable, rounded up. It also gives the
 /// smallest error (Hairer & Wanner, table IV.6.4).
 const THREE_STAGE_GAMMA: f64 = 0.180_425_4;
-/// Time of the second stage as a fraction of the step, which the order conditions do not determine. With this value,
+/// Time of the second stage as a fraction of the substep, which the order conditions do not determine. With this value,
 /// the error over all kinds of dampers at 1 ms steps has a flat minimum.
 const THREE_STAGE_PLACE: f64 = 0.663;
 
@@ -129,8 +129,8 @@ pub(super) static THREE_STAGE: Tableau = {
 /// Smallest diagonal coefficient with which four stages of order 3 are L-stable, rounded up (Hairer & Wanner, table
 /// IV.6.4).
 const THIRD_GAMMA: f64 = 0.223_647_9;
-/// Times of the second and the third stage as fractions of the step, which the order conditions do not determine. They
-/// are chosen like [`THREE_STAGE_PLACE`].
+/// Times of the second and the third stage as fractions of the substep, which the order conditions do not determine.
+/// They are chosen like [`THREE_STAGE_PLACE`].
 const THIRD_PLACES: [f64; 2] = [0.607, 0.877];
 
 /// [`Method::Third`].

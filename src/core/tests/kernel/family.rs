@@ -212,8 +212,8 @@ proptest! {
     /// A family with any elements and any varying parameters equals the ordinary damper with the interpolated
     /// parameters, at a constant setting.
     ///
-    /// In about one of a thousand dampers, rounding errors decide the result of a step. Stribeck friction behind the series
-    /// spring has two equilibria, stuck and sliding. Elsewhere an iteration may stop one step earlier.
+    /// In about one of a thousand dampers, rounding errors decide the result of a step. Stribeck friction behind the
+    /// series spring has two equilibria, stuck and sliding. In other dampers, an iteration may stop one step earlier.
     #[test]
     fn any_family_is_the_ordinary_damper_at_a_constant_setting(params in any_params(), setting in 0.0..1.6f64, which in any::<u64>()) {
         let numbers: Vec<Number> = numbers_of(&params)

@@ -1,5 +1,5 @@
-//! Changes of the setting return no energy if every number that depends on it only dissipates energy. What else depends
-//! on the setting may return energy, and is found.
+//! Changes of the setting return no energy if every number that depends on it only dissipates energy. Other numbers
+//! that depend on the setting may return energy, and the tests detect this energy.
 
 use crate::common::energy::stored;
 use crate::common::{WITH_STATES, any_params, describe, params, sine};
@@ -16,7 +16,8 @@ fn between(v: &[f64], f: &[f64], at: f64) -> f64 {
     f[i - 1] + (f[i] - f[i - 1]) * (at - v[i - 1]) / (v[i] - v[i - 1])
 }
 
-/// Elements that store energy at rest, or supply it, so that their work is not that of the setting.
+/// Elements that store or supply energy at rest. The tests leave them off, because their work would count as that of
+/// the setting.
 const LEFT_OUT: [&str; 5] = ["parallel_spring", "gas_preload", "gas_warming", "gas_spring", "lagged_polynomial"];
 
 /// Makes the FV curve odd. With a force at zero velocity, the damper would store energy that depends on the setting.
@@ -84,8 +85,8 @@ proptest! {
     /// If no parameter that depends on the setting stores energy, the damper only dissipates energy, for any changes of
     /// the setting.
     ///
-    /// The dampers have any elements but those of [`LEFT_OUT`]. Any of their numbers that dissipate energy depend on
-    /// the setting, with the FV curve.
+    /// The dampers have any elements except those of [`LEFT_OUT`]. The FV curve depends on the setting, and so does a
+    /// random selection of the numbers that only affect dissipation.
     #[test]
     fn changes_of_the_setting_return_no_energy(
         params in any_params(),
@@ -168,9 +169,9 @@ fn between_two(curves: Option<[&[f64]; 2]>, numbers: &[(Number, [f64; 2])]) -> A
     axis
 }
 
-/// Returns energy over closed cycles by each of these dependences, if the setting assists the motion.
+/// Each of these dependences on the setting returns energy over closed cycles, if the setting assists the motion.
 ///
-/// The test of random dampers can therefore see such energy, and the remarks on a model file must name these numbers.
+/// The test of random dampers can therefore detect such energy. The remarks on a model file must name these numbers.
 #[test]
 fn a_stored_force_of_the_setting_returns_energy() {
     let curve = |rest: f64| [-20.0 + rest, rest - 10.0, rest, rest + 10.0, rest + 20.0];
@@ -200,8 +201,8 @@ fn a_stored_force_of_the_setting_returns_energy() {
     }
 }
 
-/// The filter form of frequency-selective damping keeps a fraction of the force as a state. Charged slowly at a firm
-/// setting and moved back fast at a soft one, it returns more than it took.
+/// The filter form of frequency-selective damping keeps a fraction of the force as a state. After slow loading at a
+/// firm setting and a fast return at a soft setting, it returns more energy than it absorbed.
 #[test]
 fn a_lagging_force_returns_energy() {
     let changes = [("fsd_form", 0.0), ("fsd_share", 0.9), ("fsd_time", 10.0)];

@@ -76,7 +76,7 @@ fn gas_is_soft_when_slow_and_stiff_when_fast() {
     let area = |f: f64| loop_area(&model, 0.05, f, 4);
     let (slow, middle, fast) = (area(1e-3), area(1.0 / (TAU * time)), area(30.0));
     assert!(slow > 0.0 && middle > 3.0 * slow && middle > 3.0 * fast.abs(), "{slow} {middle} {fast}");
-    // In the equilibrium, which a step of no time gives, the gas has its isothermal force.
+    // A step of zero length returns the equilibrium force, which is the isothermal force of the gas.
     let held = step(&model, &State::ZERO, &Input::motion(0.05, 0.0), 0.0).1;
     assert!((held.gas_force - k * length * (1.0 - 1.0 / (1.0 + 0.05 / length))).abs() < 1e-9);
 }
@@ -130,8 +130,8 @@ fn a_mass_inside_is_internal_mass() {
     for ((_, a), (_, b)) in run(&a, &sine(5e-3, 20.0), 5e-4, 200).iter().zip(&run(&b, &sine(5e-3, 20.0), 5e-4, 200)) {
         assert!((a - b).abs() < 1e-9 * b.abs().max(1.0), "{a} {b}");
     }
-    // Without a series stiffness the piston moves with the moving end, so a mass inside acts as a mass at the moving
-    // end.
+    // Without a series stiffness the piston moves with the moving end. A mass inside the damper then acts as a mass at
+    // the moving end.
     let (a, b) = (
         only(&["moving_mass"], &[("moving_mass", 2.0), ("moving_mass_place", 1.0)]),
         only(&["moving_mass"], &[("moving_mass", 2.0)]),

@@ -132,8 +132,8 @@ impl Follow for PutIn {
     }
 }
 
-/// A mass excited near its natural frequency never has more energy than the moving end supplied. It is undamped, or
-/// damped by the series damper alone.
+/// A mass excited near its natural frequency never has more energy than the moving end supplied. The mass is undamped,
+/// or damped by the series damper alone.
 ///
 /// The steps hardly resolve the oscillation. Its amplitude depends on the step, because the method shifts its
 /// frequency. The bound holds for the algebraically stable methods. The other methods have no such bound, but free

@@ -79,7 +79,8 @@ fn air_in_the_rebound_chamber_softens_rebound_alone() {
     assert!(off(&one, 1.0) > 0.2 && off(&one, -1.0).abs() < 0.1, "{} {}", off(&one, 1.0), off(&one, -1.0));
 }
 
-/// Free play, m, of [`with_play`]; below, its series stiffness, N/m, and the softness of its contact, N.
+/// Free play, m, of [`with_play`]. The next two constants are its series stiffness, N/m, and the softness of its
+/// contact, N.
 const PLAY: f64 = 4e-4;
 const PLAY_STIFFNESS: f64 = 3e6;
 const PLAY_FORCE: f64 = 10.0;
@@ -131,7 +132,7 @@ fn a_load_shifts_the_force_at_which_the_gap_opens_and_nothing_else() {
         let (force, found) = deflection(&model, x);
         assert!((found - at(force)).abs() < 1e-10, "{x}: {found} at {force} N, {}", at(force));
     }
-    // Half of the gap closes above the load, half of it below.
+    // Half of the gap closes at forces above the load, half of it at forces below.
     let part = |from: f64, to: f64| at(to) - at(from) - (to - from) / PLAY_STIFFNESS;
     assert!((part(load, 1e7) - 0.5 * PLAY).abs() < 1e-8 && (part(-1e7, load) - 0.5 * PLAY).abs() < 1e-8);
 }

@@ -104,7 +104,8 @@ proptest! {
         run(&params, &points, dt, false)?;
     }
 
-    /// The stiffest corner of the bounds, for several methods and numbers of substeps.
+    /// Dampers near the stiffest corner of the parameter bounds do not diverge, for several methods and numbers of
+    /// substeps.
     #[test]
     fn stiff_corner(
         k in (5.0..8.0f64).prop_map(|d| 10f64.powf(d)),

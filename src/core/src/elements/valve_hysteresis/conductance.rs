@@ -60,7 +60,7 @@ fn limited(derivative: f64, limits: [Option<f64>; 2]) -> f64 {
     })
 }
 
-/// Returns three times the slope of the chord of the conductance g from a node to the next.
+/// Returns three times the mean derivative of the conductance g between a node and the next.
 fn limit(first: u64, node: usize, from: &At, to: &At) -> f64 {
     3.0 * (to.g - from.g) / (force_of(first, node + 1) - force_of(first, node))
 }
@@ -92,8 +92,8 @@ fn cubic(from: &At, to: &At, h: f64, s: f64) -> At {
     At { g: from.g + s * (m0 + s * (c2 + s * c3)), by_h: (m0 + s * (2.0 * c2 + 3.0 * s * c3)) / width }
 }
 
-/// Computes the conductance that a table from the force `opens` on would give at the force `h`, both in N, without
-/// building the table.
+/// Computes the conductance at the force `h` that a table beginning at the force `opens` would give, without building
+/// the table. Both forces are in N.
 ///
 /// Used for an FV curve or a valve that changes from step to step with the setting of a family.
 pub(crate) fn tabulated(curve: &impl ForceLaw, opens: f64, h: f64, stroke: f64) -> At {
@@ -158,7 +158,7 @@ impl Conduction for Conductance {
 }
 
 /// Returns the velocity W, m/s, for the conductance `g` at the force `h`, N. Also returns the derivative of g with
-/// respect to a change of the FV force at W.
+/// respect to the FV curve's force at W.
 #[inline(always)]
 pub(super) fn by_raised(curve: &impl ForceLaw, g: f64, h: f64, stroke: f64) -> (f64, f64) {
     let square = g * h - LEAST;

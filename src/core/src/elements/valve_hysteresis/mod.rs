@@ -13,7 +13,8 @@ use conductance::by_raised;
 pub(crate) use conductance::{Conductance, tabulated};
 use core::cell::Cell;
 
-/// Lagging blow-off valve, which changes the force F, N, of the FV curve to F_h, in three forms.
+/// Lagging blow-off valve, which changes the force F, N, of the FV curve to F_h, in three forms. F_h is called the
+/// force behind the valve.
 ///
 /// *Opening*: F_h = F (1 + η (y_∞(F) − y)), τ dy/dt = S((|F| − F_0 + Δ (2y − 1))/b) − y, y_∞ = S((|F| − F_0)/b).
 ///
@@ -63,7 +64,8 @@ enum Form {
 pub(crate) struct ValveResponse<R> {
     /// Force F_h behind the lagging valve, N.
     pub force: R,
-    /// Opening y in the opening form. In the play and spool forms, the force p, N, whose steady position the valve has.
+    /// Opening y in the opening form. In the play and spool forms, the force p, N, under which the valve's position
+    /// would be steady.
     pub stands: R,
     /// The two velocities, m/s, at which the FV curve was evaluated for the conductances at the forces F and p; 0 in
     /// the opening form.
@@ -341,8 +343,8 @@ impl<T: Tables> ValveHysteresis<T> {
         known + self.beyond(force, known, per) * per
     }
 
-    /// Computes the passage with the valve in its steady position under the force `x`, N, along the stroke. `stroke` is
-    /// 1 for rebound and −1 for compression.
+    /// Computes the conductance of the passage with the valve in its steady position under the force `x`, N, along the
+    /// stroke. `stroke` is 1 for rebound and −1 for compression.
     #[inline(always)]
     fn conducts(&self, curve: &impl ForceLaw, x: f64, stroke: f64) -> Passage {
         let beyond = x - self.middle;
@@ -361,7 +363,8 @@ impl<T: Tables> ValveHysteresis<T> {
     #[inline(always)]
     fn raises(&self, force: f64, p: f64, ratio: f64, widens: f64) -> (f64, f64) {
         let ahead = (force - p) * force;
-        // For equal forces, the sign of the difference is a rounding error, so the slope of the conductance decides.
+        // For equal forces, the sign of the difference is a rounding error, so the sign of the conductance's derivative
+        // decides.
         let opens = if ahead.abs() <= STEADY * force * force { widens > 0.0 } else { (ratio > 1.0) == (ahead > 0.0) };
         // Where the FV curve rises faster than the square of the velocity, no valve opens.
         if !opens {
@@ -435,8 +438,8 @@ impl<T: Tables> ValveHysteresis<T> {
                 let held = step.clamp(-1.0, 1.0);
                 let mut next = size * (2.0 + held) / (2.0 - held);
                 if next <= low || next >= high {
-                    // Near the end of the play, the derivative may be that beyond this end. Bisection then replaces the
-                    // Newton step.
+                    // Near the end of the play, the derivative may belong to a force on the other side of this end.
+                    // Bisection then replaces the Newton step.
                     next = 0.5 * (low + high);
                 }
                 found = next * stroke;

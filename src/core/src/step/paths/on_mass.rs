@@ -1,10 +1,10 @@
 //! Elements with a state that act on the internal mass in a stage: friction and gas, if the series path also carries
 //! their force.
 //!
-//! In a stage the mass moves from its position at the start of the substep to that of the stage. Its acceleration is
-//! constant over the time of the stage. Each element computes its state after such a motion in closed form. Therefore
-//! the method of the step does not integrate a contact, whose force may reverse within micrometers. The forces of these
-//! elements do not decrease with the displacement of the mass, so the stage has a unique solution.
+//! In a stage the mass moves at constant acceleration from its position at the start of the substep to that of the
+//! stage. Each element computes its state after such a motion in closed form. The method of the step therefore need not
+//! resolve a friction contact, whose force may reverse within micrometers. The forces of these elements do not decrease
+//! with the displacement of the mass, so the stage has a unique solution.
 
 use crate::assembly::Elements;
 use crate::dual::{Dual, Real};
@@ -114,16 +114,17 @@ impl MassForces {
         }
     }
 
-    /// Returns the derivative of the force in one direction, in which initial displacement and velocity (`start`) and
-    /// the initial `states` have these derivatives. The final displacement of the mass is fixed.
+    /// Returns the derivative of the force in one direction. `start` contains the derivatives of the mass's initial
+    /// displacement and velocity in this direction, and `states` those of the initial states. The final displacement of
+    /// the mass is fixed.
     #[inline(always)]
     pub(super) fn force_along(&self, start: [f64; 2], states: &States) -> f64 {
         self.along(1, start, states).into_iter().sum()
     }
 
-    /// Returns the derivatives of the final states in one direction, in which initial displacement and velocity
-    /// (`start`) and the initial `states` have these derivatives. The final displacement of the mass has the derivative
-    /// `end`.
+    /// Returns the derivatives of the final states in one direction. `start` contains the derivatives of the mass's
+    /// initial displacement and velocity in this direction, and `states` those of the initial states. `end` is the
+    /// derivative of the mass's final displacement.
     #[inline(always)]
     pub(super) fn states_along(&self, end: f64, start: [f64; 2], states: &States) -> States {
         let mut along = self.along(0, start, states);

@@ -121,8 +121,9 @@ struct StageAtVelocity {
     column: Column,
     /// Flow through the bypass of the valves.
     past: Past,
-    /// Depth e of the void, m. Below are the derivatives of e, and those of the part of its change that the oil causes.
-    /// The variables are the hydraulic force, the moving end's velocity, and the known part of e.
+    /// Depth e of the void, m. `void_by` contains the derivatives of e. `oil_void_by` contains those of the change of e
+    /// in the stage, without the refill deficit. The three variables are the hydraulic force, the moving end's
+    /// velocity, and the known part of e.
     void: f64,
     void_by: [f64; 3],
     oil_void_by: [f64; 3],
@@ -214,8 +215,8 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     ///
     /// The derivatives of the last evaluation belong to a point one Newton step away from the solution. Strongly
     /// nonlinear forces are those of a bushing, a void with expanding gas, and elements with a state on the mass. With
-    /// such a force, the weights of the method amplify the error of the derivatives. It then reaches a hundredth of the
-    /// derivative of the step. No other element is so nonlinear within a Newton step. States and forces do not change.
+    /// such a force, the weights of the method amplify the error of the derivatives to a hundredth of the derivative of
+    /// the step. No other element is so nonlinear within a Newton step. States and forces do not change.
     #[inline(always)]
     pub(super) fn evaluate_at_solution(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
@@ -243,8 +244,8 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
         self.per = if by_w != 0.0 { 1.0 / by_w } else { 0.0 };
     }
 
-    /// Computes the derivatives, with respect to the start of the substep, of the elements that act on the mass and
-    /// have a state.
+    /// Computes the derivatives of the elements that act on the mass and have a state. The variables are the values at
+    /// the start of the substep.
     #[inline(always)]
     pub(super) fn evaluate_at_start(&mut self, elements: &Elements<T>) {
         if self.on_mass().is_some() {
@@ -449,8 +450,8 @@ impl<T: Tables, const ON: u32> Equation for Stage<'_, T, ON> {
     }
 }
 
-/// Evaluates the force on the mass parallel to the oil, at displacement `x`, m, and velocity `u`, m/s. The force is
-/// linear beyond the reach of the series spring about the moving end at `driven`, m.
+/// Evaluates the force on the mass parallel to the oil, at displacement `x`, m, and velocity `u`, m/s. Where `x` is
+/// further than [`REACH`] from the displacement `driven` of the moving end, m, the force is extrapolated linearly.
 ///
 /// The plain step has the same limit. Without the limit, Newton's method from a distant guess would converge slowly
 /// with a hardening spring.
@@ -462,7 +463,7 @@ fn springs(e: &Elements<impl Tables>, x: f64, u: f64, driven: f64, (side_force, 
     Response { force: near.force + near.d_force_d_x * (x - at), ..near }
 }
 
-/// Flows that the force of the valves drives, and the velocity of the mass that follows.
+/// Flows that the force of the valves drives, and the resulting velocity of the mass.
 struct Flows {
     /// Velocity of the mass, m/s.
     u: f64,

@@ -107,8 +107,8 @@ fn value(r: &mut Random, number: Number) -> f64 {
 /// Abscissae and forces of the points of a curve.
 type Points = (Vec<f64>, Vec<f64>);
 
-/// Draws the points of a non-decreasing curve. `steps` bounds the distance of two abscissae, and `steepness` the slope
-/// between them. Abscissa and force 0 lie between the first and the last point.
+/// Draws the points of a non-decreasing curve. `steps` bounds the distance of two abscissae, and `steepness` the mean
+/// derivative between them. Abscissa and force 0 lie between the first and the last point.
 fn points(r: &mut Random, steps: (f64, f64), steepness: (f64, f64)) -> Points {
     let count = 2 + r.one_of(15);
     let (mut u, mut f) = (vec![0.0], vec![0.0]);
