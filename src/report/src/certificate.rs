@@ -107,7 +107,8 @@ fn table(found: &Certificate, words: &Words) -> Table {
     let remark = |text, one: &Checked, value: f64| {
         words.fill(text, &[("verdict", verdict(one.verdict)), ("value", &*digits(value, 2))])
     };
-    // A verdict on a time may depend on its uncertainty, ms. A measured friction may contain damping, N.
+    // A remark on a response time states the uncertainty, ms, that can change the verdict. A remark on a friction force states the damping
+    // force, N, that the measured friction contains.
     let measured_verdict = |one: &Checked| match (one.deciding_uncertainty(), one.damping_in_friction()) {
         (Some(uncertainty), _) => remark(words.certificate_unsure, one, 1e3 * uncertainty),
         (None, Some(damping)) => remark(words.certificate_damping, one, damping),

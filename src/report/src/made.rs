@@ -124,7 +124,8 @@ pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     lines
 }
 
-/// Largest number of files whose hashes stand open and are printed. The files of many dampers are more, and their joint hash is in the list.
+/// Largest number of files whose hashes the page shows and prints. A longer table is collapsed, and the list of lines contains the joint
+/// hash of all files.
 const MANY: usize = 100;
 
 /// Builds the section on the origin of a report, its last section.

@@ -169,7 +169,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     unit: p.unit.to_owned(),
                     low,
                     high,
-                    // A value that no test determines comes from none.
+                    // A value that no test determines has no source in the fit.
                     source: id
                         .sources
                         .get(p.name)

@@ -110,7 +110,7 @@ fn draw_surface(
     settings.sort_by(f64::total_cmp);
     let lines: Vec<Vec<[f64; 3]>> = settings.iter().map(|setting| line(*setting)).filter(|of| of.len() > 1).collect();
     let count = lines.iter().map(Vec::len).min()?;
-    // A line of constant velocity crosses the lines of all settings at the same of their points.
+    // All lines of constant setting have the same velocities. A line of constant velocity therefore joins their points of equal index.
     let across = |k: usize| lines.iter().map(|of| of[k * (count - 1) / (MESH[0] - 1)]).collect();
     let mesh = lines.iter().cloned().chain((0..MESH[0]).map(across)).collect();
     let mut series = vec![SpaceSeries { role: Role::Shadow, name: String::new(), lines: mesh, dots: Vec::new() }];
