@@ -347,7 +347,8 @@ fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     let object = folder.path().join("kernel.o");
     let compiler = std::env::var_os("CC").unwrap_or("cc".into());
     let mut link = Command::new(&compiler);
-    // The linker adds only what an undefined symbol needs. The symbol `dashpot_step` suffices to add the whole interface.
+    // The linker adds only the objects that an undefined symbol requires. The symbol `dashpot_step` is enough, because it adds the whole
+    // interface.
     link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(&object);
     let ran = link.arg(std::path::absolute(library)?).output()?;
     if !ran.status.success() {
