@@ -44,7 +44,8 @@ fn is_wrong_first(o: &&Outcome) -> bool {
     o.named.first().is_some_and(|(name, _)| Some(name.as_str()) != o.truth())
 }
 
-/// Formats the fractions of outcomes with a right and with a wrong name first.
+/// Formats two fractions of outcomes: those whose most probable named effect is right, and those whose most probable
+/// named effect is wrong.
 fn first_names(label: &str, some: &[&Outcome]) -> String {
     format!(
         "{label}, right name first: {}; wrong name first: {}",

@@ -72,7 +72,7 @@ impl Family {
         (axis.grid().to_vec(), axis.start(), axis.name(), axis.unit())
     }
 
-    /// Returns the damper without a setting that the family is at `setting`. `name` is its name in error messages.
+    /// Returns the ordinary damper that the family has at the constant setting `setting`. `name` is its name in error messages.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
         check_settings("setting", [&setting])?;
         let text = model_file::plain(&self.file.definition().params_at(setting), &[]);
