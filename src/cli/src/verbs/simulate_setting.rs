@@ -13,9 +13,9 @@ use std::path::Path;
 /// Largest magnitude of a time of `--setting`, s. It includes times of a clock in seconds since 1970.
 const LATEST: f64 = 1e10;
 
-/// Ratio of a setting to the largest setting of the model file above which the setting is in another unit, such as mA instead of A. Such a
-/// setting is rejected. At a smaller ratio above 1, the valve is at its stop, so the setting is clamped with a note. A lower limit would
-/// reject such valves of a model file with few settings. A limit above 1000 would accept mA.
+/// Largest accepted ratio of a setting to the largest setting of the model file. With a larger ratio, the setting is probably in another
+/// unit, such as mA instead of A, and it is rejected. With a smaller ratio above 1, the valve is at its stop, so the setting is clamped
+/// with a note. A lower limit would reject such valves of a model file with few settings. A limit above 1000 would accept mA.
 const OF_ANOTHER_UNIT: f64 = 30.0;
 
 /// Settings over time from the option `--setting`: start time, s, and setting of each entry.

@@ -158,7 +158,8 @@ fn a_family_that_may_supply_energy_is_named_with_the_number() {
             assert!(number.is_some_and(|number| said.contains(number)), "{name}: {said}");
         }
         assert_eq!(read.err.contains("may do work"), number.is_some(), "{name}: {}", read.err);
-        // The check has the note once, on standard output.
+        // The note appears only on standard output, so the reader of the model file must not repeat it on standard
+        // error.
         assert!(!run(dir, &["check", &file]).err.contains("may do work"), "{name}");
     }
 }

@@ -443,7 +443,7 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     let told = ran.out;
     assert!(told.contains("Compared with a:") && told.contains("  b: ") && told.contains("  c: "), "{told}");
-    // The terminal has the answers: at most five lines a group, and notes that do not grow with the number of groups.
+    // The terminal shows the results with at most five lines for each group. The number of notes must not grow with the number of groups.
     let of_groups = told.lines().skip_while(|line| !line.starts_with("Compared with"));
     let answers: Vec<&str> = of_groups.take_while(|line| !line.starts_with("report:")).skip(1).collect();
     let begins = |line: &&&str| line.starts_with("  ") && !line.starts_with("   ");
