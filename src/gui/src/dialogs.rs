@@ -275,7 +275,7 @@ mod tests {
             let answer = dialogs.answers.recv_timeout(Duration::from_secs(60)).unwrap();
             assert_eq!(answer, (ask, Reply::NoDialog));
         }
-        // The library reports the failure, so it is known even if it comes late.
+        // The library logs the failure. So the failure is detected even if it occurs after a long time.
         FAILED.set(false);
         assert_eq!(rfd::FileDialog::new().save_file(), None);
         assert!(FAILED.get());

@@ -28,7 +28,7 @@ use std::path::PathBuf;
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-/// Raises a `ValueError` if one of the settings is beyond that of any damper. `name` is that of the argument.
+/// Raises a `ValueError` if one of the settings exceeds the largest setting of any damper. `name` is the name of the argument.
 pub fn check_settings<'a>(name: &str, values: impl IntoIterator<Item = &'a f64>) -> PyResult<()> {
     let is_beyond = |value: &&f64| !(value.abs() <= family::LARGEST_SETTING);
     values.into_iter().find(is_beyond).map_or(Ok(()), |value| {

@@ -164,7 +164,7 @@ fn table(found: &Certificate, words: &Words) -> Table {
     }
 }
 
-/// Returns the number of decimals with which a velocity, mm/s, was written: at most two, because rigs are no more exact.
+/// Returns the number of decimals that an exact velocity, mm/s, has. At most two decimals are returned, because rigs are not more accurate.
 fn written_decimals(velocity: f64) -> usize {
     const MOST: usize = 2;
     let is_exact = |decimals: &usize| {
@@ -182,7 +182,7 @@ fn in_short(tests: &[String]) -> String {
     }
 }
 
-/// Formats a setting in the unit of the damper that the limit is for.
+/// Formats a value of the setting with the unit that the limit states.
 fn at_setting(value: f64, limit: &Limit, words: &Words) -> String {
     words.number(&setting_in_words(value, &limit.setting_unit))
 }

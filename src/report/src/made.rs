@@ -172,7 +172,7 @@ mod tests {
         let path = folder.path().join("a");
         std::fs::write(&path, "abc").unwrap();
         let file = MadeFrom::read(&path).unwrap();
-        // The expected hash is that of the one-block example of FIPS 180-4.
+        // The expected hash is the hash of the one-block example in FIPS 180-4.
         assert_eq!(file.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
         assert_eq!(file.bytes, 3);
         assert_eq!(MadeFrom::of_content(&path.display().to_string(), b"abc"), file);

@@ -112,7 +112,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     let rows = parameters
         .iter()
         .map(|row| {
-            // Digits and unit are those of the notes on the same number.
+            // The row has the same digits and the same unit as the notes on this parameter.
             let [low, high] = [row.low, row.high].map(|end| end.unwrap_or(f64::NAN));
             let reading = Reading::new(row.value, low, high, &row.unit);
             let (factor, _) = reading_unit(row.value, &row.unit);

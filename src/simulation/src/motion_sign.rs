@@ -81,7 +81,7 @@ mod tests {
         assert_eq!(doubt(&motion, &of_file(1.0, 1.1)), None);
         let found = doubt(&motion.reversed(), &of_file(-1.0, 1.1)).unwrap();
         assert!(found.error > 3.0 * found.reversed_error && !found.motion_alone, "{found:?}");
-        // The file counts motion and force in opposite directions. If only the sign of the force is wrong, the motion is not doubted.
+        // In the file, only the motion is reversed. If only the sign of the force is wrong, the motion is not doubted.
         let found = doubt(&motion.reversed(), &of_file(1.0, 1.1)).unwrap();
         assert!(found.motion_alone, "{found:?}");
         assert_eq!(doubt(&motion, &of_file(-1.0, 1.1)), None);

@@ -23,7 +23,7 @@ pub struct Tuned {
     pub path: Option<PathBuf>,
     /// Parameter values as read or fitted. Tuned values are compared with them, and a reset restores them.
     pub identified: Params,
-    /// Results of the fit, for an adjustable damper those of all settings.
+    /// Results of the fit. For an adjustable damper, they contain the results of all settings.
     pub identification: Identification,
     /// Results of the fit that hold at the setting of the values; `None` for an ordinary damper.
     at_setting: Option<Identification>,
@@ -573,7 +573,7 @@ mod tests {
         ] {
             assert!(tuned.text().contains(line), "{line}: {}", tuned.text());
         }
-        // The saved file has no parameters that were missing in the original. Its notes are those of the original and one on the element
+        // The saved file has no parameters that were missing in the original. It has the notes of the original, and one note on the element
         // that the user disabled.
         assert!(
             !tuned.text().contains("spring_linear") && !tuned.text().contains("viscous_coefficient"),

@@ -184,7 +184,8 @@ fn errors_of_one_cycle_have_a_mark_until_the_whole_records_follow() {
     // Both are provisional.
     for is_quick in [false, true] {
         until(&mut harness, "the errors", |app| app.session.simulated.as_ref().is_some_and(|s| s.quick) == is_quick);
-        // List, detail, matrix with its mean, and panel of the model.
+        // The marks are in the list of tests, the details of a test, the error matrix with its mean, and the panel of
+        // the model.
         assert!(marks(&harness) >= tests + 4, "quick {is_quick}: {}", marks(&harness));
     }
     until(&mut harness, "the whole records", |app| !app.session.are_errors_provisional());

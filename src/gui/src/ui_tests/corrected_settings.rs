@@ -47,7 +47,7 @@ fn opened(folder: &Path) -> Harness<'static, App> {
     harness
 }
 
-/// Waits until no task is running and the forces of all tests are those of the present settings.
+/// Waits until no task is running, and until the forces of all tests are computed with the current settings.
 fn computed(harness: &mut Harness<'_, App>) {
     until(harness, "forces of all tests", |app| {
         let session = &app.session;

@@ -1,4 +1,4 @@
-//! Tests of what a frame draws, from its shapes: sizes of letters, legends of plots, marks of sliders.
+//! Tests of the shapes that a frame draws: sizes of letters, legends of plots, marks of sliders.
 
 use super::made_up::campaign_of_family;
 use super::*;

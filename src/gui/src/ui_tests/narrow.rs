@@ -65,7 +65,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
     }
 }
 
-/// Returns the texts of the last frame that the panel of the tests cuts off, and those of all panels that break within a word.
+/// Returns texts of the last frame that are cut off by the panel of the tests, or that break within a word in any panel.
 pub(super) fn spoilt(harness: &Harness<'_, App>) -> Vec<String> {
     /// Largest right edge of a text in the panel of the tests, px.
     const PANEL: f32 = 275.0;

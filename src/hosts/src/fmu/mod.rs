@@ -238,7 +238,8 @@ impl Compiled {
     }
 }
 
-/// Adds what an importer needs to compile the sources: instructions, kernel and build description. `compiled` are the files to compile.
+/// Adds the files with which an importer compiles the FMU: instructions, kernel and build description. `compiled` lists the source files to
+/// compile.
 fn add_build_files(
     archive: &mut Archive,
     options: &Options,

@@ -94,7 +94,7 @@ pub fn over_both(damper: &Definition, validation: &Validation, words: &Words) ->
     draw_surface(damper, &line, &dots, words)
 }
 
-/// Draws a surface from its lines and dots at a setting: velocity, mm/s, setting, and force, N.
+/// Draws a surface. At a setting, `line` and `dots` return the points: velocity, mm/s, setting, and force, N.
 fn draw_surface(
     damper: &Definition,
     line: &dyn Fn(f64) -> Vec<[f64; 3]>,

@@ -206,7 +206,7 @@ impl Plane {
         let mark = |s: &Series| if matches!(s.marks, Marks::Dots | Marks::LargeDots) { Mark::Dot } else { Mark::Line };
         let label = |k: usize, series: &Series| names.get(k).map_or(series.label, String::as_str).to_owned();
         let labels: Vec<String> = self.series.iter().enumerate().map(|(k, series)| label(k, series)).collect();
-        // A series with an empty name shares the legend entry of another series, so it gets no entry of its own.
+        // A series with an empty name shares the legend entry of another series, so it gets no separate entry.
         let named = self.series.iter().zip(&labels).filter(|(_, label)| names.is_empty() || !label.is_empty());
         let legend: Vec<_> = named.map(|(series, label)| (series.role, label.as_str(), mark(series))).collect();
         heading(&mut svg, &self.title, left, &legend);

@@ -56,7 +56,7 @@ pub struct CarValue {
 const ROWS: [(&str, &str, (f64, f64)); 17] = [
     ("sprung_mass", "kg", (0.1, 1e6)),
     ("unsprung_mass", "kg", (1e-3, 1e5)),
-    // Inertias are those of the masses at a radius of gyration of 1 cm to 10 m.
+    // The bounds of an inertia are the bounds of the sprung mass times the square of a radius of gyration, 1 cm to 10 m.
     ("roll_inertia", "kg m²", (1e-5, 1e8)),
     ("pitch_inertia", "kg m²", (1e-5, 1e8)),
     ("yaw_inertia", "kg m²", (1e-5, 1e8)),

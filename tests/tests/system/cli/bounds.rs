@@ -28,7 +28,8 @@ const NUMBERS: [&str; 17] = [
 /// Placeholders in `--help` of values that contain numbers after a name.
 const NAMED_NUMBERS: [&str; 2] = ["NAME[=SEVERITY]", "NAME=LENGTH[,PATH]"];
 
-/// Placeholders in `--help` of values without numbers, in addition to those of files, which have a point.
+/// Placeholders in `--help` of values without numbers. Placeholders of files are recognized by their point and not
+/// listed.
 const TEXTS: [&str; 20] = [
     "rebound|compression",
     "force|motion",

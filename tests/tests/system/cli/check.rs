@@ -23,8 +23,8 @@ fn checked(dir: &Path, more: &[&str]) -> serde_json::Value {
 fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
     let folder = steep();
     let found = checked(folder.path(), &["--host-step", "0.001", "--wheel-mass", "40"]);
-    // The gain is c h/m with the host step h, s, and the wheel mass m, kg. c, N s/m, is the derivative of friction and
-    // FV curve with respect to velocity at standstill.
+    // The gain is c h/m, with the host step h, s, and the wheel mass m, kg. The damping c, N s/m, is the derivative of
+    // friction and FV curve with respect to velocity at standstill.
     let slope = 40.0 * 5000.0 + 0.5 * (900.0 + 1500.0);
     assert!((number(&found, "gain") / (slope * 1e-3 / 40.0) - 1.0).abs() < 0.05, "{found}");
     assert!(found["element"] == "coulomb_friction" && found["chatters"] == true && found["swings"] == true, "{found}");
