@@ -125,8 +125,8 @@ pub fn small_campaign(folder: &Path) {
 
 /// Writes three sine tests of 20 mm, with peak velocities of 0.05, 0.2 and 0.5 m/s, into a folder.
 ///
-/// `law` returns the force, N, tension positive, at a velocity, m/s, extension positive. The files count displacement and
-/// force times `sign`.
+/// `law` returns the force, N, tension positive, at a velocity, m/s, extension positive. The files contain displacement and force
+/// multiplied by `sign`.
 pub fn write_sines(folder: &Path, sign: f64, mut law: impl FnMut(f64) -> f64) {
     std::fs::create_dir_all(folder).expect("a folder");
     for (name, speed) in [("slow", 0.05), ("medium", 0.2), ("fast", 0.5)] {

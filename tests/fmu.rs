@@ -44,7 +44,7 @@ pub fn exported(at: &Path, text: &str, fmi: &str, four: bool, more: &[&str]) {
     done(at, &export);
 }
 
-/// Expands to one test per kind of FMU: FMI 2 and FMI 3, each with the damper of one corner and with those of four.
+/// Expands to one test per kind of FMU: FMI 2 and FMI 3, each with one corner and with four corners.
 #[macro_export]
 macro_rules! each_fmu {
     ($runs:ident) => {

@@ -104,7 +104,8 @@ fn record(model: &Model, k: usize, test: &Sine, noise: f64, random: &mut Random)
     let count = CYCLES * per_cycle + 1;
     let w = TAU * test.frequency;
     let motion = |t: f64| (test.mean - test.amplitude * (w * t).cos(), test.amplitude * w * (w * t).sin());
-    // The record begins where the rising displacement passes its mean, so the cycles do, too.
+    // The record begins at a time at which the rising displacement passes its mean. All cycles therefore begin there,
+    // too.
     let start = 0.25 / test.frequency;
     let input = |t: f64| {
         let (x, v) = motion(t);

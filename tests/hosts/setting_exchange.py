@@ -182,7 +182,7 @@ def check_exchange(library: str, model: str, dead_time: float, ends: tuple[float
         sizes = [max(size, abs(state)) for size, state in zip(sizes, states)]
         x, v = motion(t + STEP)
         exchange.look(t + STEP, delayed(t + STEP), states, x, v)
-        # A damper without an actuator has the command of the end of the step, and an actuator the mean of the step.
+        # The library uses one command for the whole step. With an actuator, it is the command in the middle of the step, otherwise at its end.
         has_lag = any("setting" in name for name in exchange.states)
         theirs = damper.step(x, v, STEP, command(middle if has_lag or dead_time > 0.0 else t + STEP - 1e-9, *ends))
         ours = exchange.fmu.get("force")

@@ -135,8 +135,8 @@ fn tell_usage(told: &clap::Error) -> ExitCode {
     let text = told.render().to_string();
     let shown = dashpot_output::printable(&text);
     if shown != text {
-        // The message quotes characters of the user's input that affect the terminal. clap would print them unescaped,
-        // so the escaped text is printed instead, without colors.
+        // The message quotes the user's input, which may contain characters that affect the terminal. clap would print
+        // them unescaped. Therefore, the escaped text is printed, without colors.
         dashpot_output::warn(&shown);
         return ExitCode::from(u8::try_from(told.exit_code()).unwrap_or(2));
     }

@@ -82,8 +82,8 @@ pub trait Dialogs {
     fn poll(&mut self) -> Option<(Ask, Reply)>;
 }
 
-/// Shortest time after which an empty reply means that the user cancelled. An earlier empty reply counts as [`Reply::NoDialog`], because a
-/// desktop portal that is missing or has no backend fails within this time, and no user is as fast.
+/// Shortest time after which an empty reply means that the user cancelled. An earlier empty reply counts as [`Reply::NoDialog`]. A desktop
+/// portal that is missing or has no backend fails within this time, and no user cancels so quickly.
 const SHOWN: Duration = Duration::from_millis(800);
 
 thread_local! {
@@ -234,7 +234,8 @@ mod tests {
         assert!(may_show(|name| (name == "DBUS_SESSION_BUS_ADDRESS").then(|| "unix:path=/nowhere".into())));
     }
 
-    /// A bus without an answer, or without a portal, takes any time until it fails, so the time does not tell a failure from a cancel.
+    /// A bus without an answer, or without a portal, may fail after any time. The time of an empty reply therefore does not distinguish a
+    /// failure from a cancellation.
     #[test]
     fn a_late_failure_is_known_by_the_log_and_a_failed_portal_alone_is_none() {
         let log = |text: std::fmt::Arguments<'_>, target: &str, level: log::Level| {
@@ -274,7 +275,7 @@ mod tests {
             let answer = dialogs.answers.recv_timeout(Duration::from_secs(60)).unwrap();
             assert_eq!(answer, (ask, Reply::NoDialog));
         }
-        // The library reports the failure, so it is known even if it comes late.
+        // The library logs the failure. So the failure is detected even if it occurs after a long time.
         FAILED.set(false);
         assert_eq!(rfd::FileDialog::new().save_file(), None);
         assert!(FAILED.get());

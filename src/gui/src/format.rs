@@ -61,7 +61,7 @@ impl Format {
     pub fn error(self, newton: f64) -> String {
         let Shown { factor, symbol } = self.units.force();
         let figures = match newton.is_finite() {
-            // The reports state N with fixed decimals, which would hide an error in a larger unit.
+            // The reports state N with fixed decimals. With these decimals, a small error in a larger unit would be rounded to zero.
             true if factor == 1.0 => numbers::error(newton),
             true => numbers::digits(factor * newton, 3),
             false => "–".to_owned(),
@@ -69,7 +69,7 @@ impl Format {
         format!("{}\u{a0}{symbol}", self.words().number(&figures))
     }
 
-    /// Returns the unit of a quantity: a selected one, or else that of the reports, which depends on the size.
+    /// Returns the unit of a quantity: the selected unit, or otherwise the unit of the reports, which depends on the magnitude of `value`.
     fn unit(self, value: f64, si: &str) -> Shown {
         if self.units.is_selected(si) {
             return self.units.shown(si);

@@ -11,8 +11,8 @@ use dashpot_report::words::{VALUE, Words};
 use std::ops::Range;
 use std::sync::LazyLock;
 
-/// Units of stiffness, damping and energy in the texts of the reports: symbol, SI unit, and SI value of one of it. Units of files are those
-/// of [`Unit`].
+/// Units of stiffness, damping and energy in the texts of the reports: symbol, SI unit, and the value of one such unit in SI. [`Unit`]
+/// contains the units of files.
 const DERIVED: &[(&str, &str, f64)] = &[
     ("N·s/mm", "N s/m", 1e3),
     ("N·s/m", "N s/m", 1.0),
@@ -27,7 +27,7 @@ const DERIVED: &[(&str, &str, f64)] = &[
     ("J", "J", 1.0),
 ];
 
-/// All units that are restated, longer symbols before their beginnings.
+/// All units that are converted. A longer symbol comes before a shorter symbol with which it begins.
 static KNOWN: LazyLock<Vec<(&str, &str, f64)>> = LazyLock::new(|| {
     let of_channels = [(Channel::Displacement, "m"), (Channel::Velocity, "m/s"), (Channel::Force, "N")];
     let of_files = of_channels.into_iter().flat_map(|(channel, si)| {
@@ -38,7 +38,7 @@ static KNOWN: LazyLock<Vec<(&str, &str, f64)>> = LazyLock::new(|| {
     all.sort_by_key(|(symbol, ..)| std::cmp::Reverse(symbol.len()));
     all
 });
-/// Symbol that is also an English word. Only a value of a sentence is taken for this unit.
+/// Symbol that is also an English word. It counts as a unit only if it is a value in a sentence.
 const WORD: &str = "in";
 /// Texts between two numbers of one unit.
 const BETWEEN: &[&str] =
@@ -76,7 +76,7 @@ pub fn restate_text(text: &str, units: Units, said: &Words) -> String {
     restate(text, &numbers, &[], units, said)
 }
 
-/// Restates the heading of a column: its unit stands apart from its words.
+/// Replaces the unit N in the heading of a column by the selected unit of force. The unit is a separate word of the heading.
 pub fn heading(text: &str, units: Units) -> String {
     let symbol = units.force().symbol;
     let words = text.split(' ').map(|word| if word == "N" { symbol.as_str() } else { word });
@@ -94,7 +94,8 @@ fn figures(text: &str) -> usize {
     sign + rest[..end].trim_end_matches(['.', ',']).len()
 }
 
-/// Returns the unit behind a space at this place of a text: SI unit, factor, and place of the symbol.
+/// Returns the unit that follows a space at the byte index `at` of a text: SI unit, factor to SI, and range of the symbol. `words` contains
+/// the byte indices at which values in words begin.
 fn unit_of(text: &str, at: usize, words: &[usize]) -> Option<(&'static str, f64, Range<usize>)> {
     let space = text[at..].chars().next().filter(|c| [' ', '\u{a0}', '\u{202f}'].contains(c))?;
     let begin = at + space.len_utf8();
@@ -106,8 +107,8 @@ fn unit_of(text: &str, at: usize, words: &[usize]) -> Option<(&'static str, f64,
     Some((si, factor, begin..begin + symbol.len()))
 }
 
-/// Restates the numbers at these places of a text, as far as they have a unit that the user chose. `words` has the beginnings of the
-/// sentence's values that are words.
+/// Converts the numbers in the ranges `numbers` of a text to the selected units. Numbers without a unit, or with another unit, stay
+/// unchanged. `words` contains the byte indices at which values in words begin.
 fn restate(text: &str, numbers: &[Range<usize>], words: &[usize], units: Units, said: &Words) -> String {
     // Replacements of parts of the text, in the order of the text.
     let mut parts: Vec<(Range<usize>, String)> = Vec::new();
@@ -128,7 +129,8 @@ fn restate(text: &str, numbers: &[Range<usize>], words: &[usize], units: Units, 
             let between = &text[symbol.end..numbers[*next].start];
             BEHIND.iter().any(|end| between.strip_suffix(end).is_some_and(|words| !words.contains(['(', ',', ';'])))
         };
-        // The 95 of an interval is a number of its own in a plain text.
+        // In a text without marks, the 95 of "(95 %: 2 to 4)" counts as a number too. So the search includes the two numbers after the
+        // current one.
         let behind = (k + 1..numbers.len().min(k + 3)).find(follows);
         if let Some(first) = behind.filter(|first| is_bare(*first)) {
             all.push(first);
@@ -160,7 +162,7 @@ fn shown_of(units: Units, si: &str) -> Shown {
     if si == "J" { units.energy() } else { units.shown(si) }
 }
 
-/// Multiplies a number in a text, with as many significant digits as it has.
+/// Multiplies a number in a text by a factor. The result has as many significant digits as the number.
 fn restate_number(number: &str, factor: f64, said: &Words) -> Option<String> {
     let unsigned = number.trim_start_matches(['+', '±']);
     let sign = &number[..number.len() - unsigned.len()];
@@ -189,7 +191,7 @@ mod tests {
             ("by 3.0 N a minute (95 %: 2.0 to 4.0)", KILO, "by 0.0030 kN a minute (95 %: 0.0020 to 0.0040)"),
             ("100 → 200 N at 52 mm/s", POUNDS, "22.5 → 45.0 lbf at 2.0 in/s"),
             ("4655 N/mm at 3.5 Hz", POUNDS, "26581 lbf/in at 3.5 Hz"),
-            // Lengths stay in mm, and a number that is no plain one keeps its unit.
+            // Lengths stay in mm. A number in another format, such as with a power of ten, keeps its unit.
             ("25.0 mm", KILO, "25.0 mm"),
             ("1.000·10⁻⁶ N", KILO, "1.000·10⁻⁶ N"),
             ("3 Nm, 2 Newton, 5 N-m2", KILO, "3 Nm, 2 Newton, 0.005 kN-m2"),

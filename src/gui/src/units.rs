@@ -82,7 +82,8 @@ impl Units {
         })
     }
 
-    /// Returns the displayed unit of work. A joule is a newton metre, and a kilonewton millimetre. Pounds have the trade's unit.
+    /// Returns the displayed unit of work: J for N and kN, because 1 J is 1 N m and 1 kN mm. For pounds, it is the product of the length
+    /// unit and the pound-force.
     pub fn energy(self) -> Shown {
         match self.force {
             Force::Newtons | Force::Kilonewtons => Shown::new((1.0, "J")),

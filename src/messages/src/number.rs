@@ -1,6 +1,6 @@
 //! Numbers of the user in error messages.
 
-/// Magnitudes below which and from which a number has an exponent. Between them, plain digits are shorter or as long.
+/// Range of magnitudes of numbers without an exponent. In this range, plain digits are not longer than the form with an exponent.
 const PLAIN: std::ops::Range<f64> = 1e-4..1e9;
 
 /// Formats a number with the fewest digits that identify it. Very large and very small numbers have an exponent instead of hundreds of zeros.

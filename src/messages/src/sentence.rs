@@ -9,8 +9,8 @@ use std::fmt;
 
 /// Message with its English text, which contains `{name}` as the placeholder of a value.
 ///
-/// `{name|one|other}` is a text that depends on a count: the second part if the value is 1, else the third. `#` in it is
-/// the count.
+/// `{name|one|other}` is a text that depends on a count: the second part if the value is 1, else the third. The character `#` in this text
+/// stands for the count.
 ///
 /// Only [`phrases!`](crate::phrases) makes templates, so that its list contains all of them.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

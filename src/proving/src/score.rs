@@ -44,7 +44,8 @@ fn is_wrong_first(o: &&Outcome) -> bool {
     o.named.first().is_some_and(|(name, _)| Some(name.as_str()) != o.truth())
 }
 
-/// Formats the fractions of outcomes with a right and with a wrong name first.
+/// Formats two fractions of outcomes: those whose most probable named effect is right, and those whose most probable
+/// named effect is wrong.
 fn first_names(label: &str, some: &[&Outcome]) -> String {
     format!(
         "{label}, right name first: {}; wrong name first: {}",
@@ -88,7 +89,8 @@ fn severity(o: &Outcome) -> f64 {
     o.injected[0].1
 }
 
-/// Formats how often one injected effect got the right name, and how often a wrong or a second one.
+/// Formats, for dampers with one injected effect, how often the diagnosis names the right effect first, names a wrong
+/// effect, or names a second effect.
 fn single_names(single: &[&Outcome]) -> Vec<String> {
     let mut lines = Vec::new();
     for (label, low, high) in [("severity >= 0.75", 0.75, f64::MAX), ("severity 0.5", 0.0, 0.75)] {
@@ -105,7 +107,8 @@ fn single_names(single: &[&Outcome]) -> Vec<String> {
     lines
 }
 
-/// Formats how often a healthy damper got a name.
+/// Formats how often the diagnosis names an effect of a healthy damper. Also formats how many of these names are true,
+/// and how often it reports that nothing is missing.
 fn false_alarms(block: &str, some: &[&Outcome]) -> [String; 3] {
     let alarms = some.iter().filter(|o| !o.named.is_empty()).count();
     let names = || some.iter().flat_map(|o| o.named.iter().map(|(name, _)| o.is_true(name)));
@@ -124,7 +127,8 @@ fn false_alarms(block: &str, some: &[&Outcome]) -> [String; 3] {
     ]
 }
 
-/// Formats how often unknown effects got a known name, and how often injected ones were found, also two at a time.
+/// Formats how often the diagnosis gives an unknown effect a known name, how often it finds injected effects, and how
+/// many names are true. The last line is for pairs of injected effects.
 fn found_effects(all: &[Outcome]) -> [String; 4] {
     let unknown = of_block(all, "unknown");
     let named = unknown.iter().filter(|o| !o.named.is_empty()).count();
@@ -162,7 +166,8 @@ fn closed_gaps(single: &[&Outcome]) -> Vec<String> {
     lines
 }
 
-/// Formats how often poor plans were named right or reported as poor, and how often the proposed tests decided.
+/// Formats, for poor test plans, how often the diagnosis names the right effect or reports that it cannot. Also formats
+/// how often the proposed tests lead to the right name.
 fn poor_plans(poor: &[&Outcome]) -> Vec<String> {
     let is_honest = |o: &&&Outcome| {
         is_right_first(o)

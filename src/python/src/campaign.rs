@@ -43,8 +43,8 @@ impl Campaign {
 /// Data from which a campaign is restored: JSON, channels of each test, fingerprint of each test, and paths of the files.
 type State<'py> = (String, Vec<Bound<'py, PyDict>>, Vec<Option<String>>, Vec<PathBuf>);
 
-/// Restores the sentences of a campaign from their messages. Their templates are those of the reader of records, and those of the fit,
-/// which corrects records.
+/// Restores the sentences of a campaign from their messages. The sentences come from the reader of records, and from the fit, which
+/// corrects records.
 static KEPT: LazyLock<Restorer> =
     LazyLock::new(|| Restorer::new([dashpot_records::templates(), dashpot_identification::templates()].concat()));
 

@@ -28,7 +28,7 @@ use std::path::PathBuf;
 /// Forces of the model and of the FV curve alone at the samples of one test, N.
 type Forces<'py> = (Bound<'py, PyArray1<f64>>, Bound<'py, PyArray1<f64>>);
 
-/// Raises a `ValueError` if one of the settings is beyond that of any damper. `name` is that of the argument.
+/// Raises a `ValueError` if one of the settings exceeds the largest setting of any damper. `name` is the name of the argument.
 pub fn check_settings<'a>(name: &str, values: impl IntoIterator<Item = &'a f64>) -> PyResult<()> {
     let is_beyond = |value: &&f64| !(value.abs() <= family::LARGEST_SETTING);
     values.into_iter().find(is_beyond).map_or(Ok(()), |value| {
@@ -72,7 +72,7 @@ impl Family {
         (axis.grid().to_vec(), axis.start(), axis.name(), axis.unit())
     }
 
-    /// Returns the damper without a setting that the family is at `setting`. `name` is its name in error messages.
+    /// Returns the ordinary damper that the family has at the constant setting `setting`. `name` is its name in error messages.
     fn at(&self, setting: f64, name: PathBuf) -> PyResult<Model> {
         check_settings("setting", [&setting])?;
         let text = model_file::plain(&self.file.definition().params_at(setting), &[]);

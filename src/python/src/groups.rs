@@ -13,8 +13,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use std::path::PathBuf;
 
-/// Records as paths, and as a campaign if they were already read. Then the paths are those of the campaign, or none for a part of a
-/// campaign.
+/// Records as paths, and as a campaign if they were already read. In that case, the paths are those of the campaign, or empty for a part of
+/// a campaign.
 #[derive(FromPyObject)]
 #[pyo3(from_item_all)]
 pub struct Data {

@@ -80,7 +80,7 @@ pub fn restate_setting(value: f64, unit: &str, to: &str) -> Option<f64> {
     (unit == to || (!to.is_empty() && dashpot_records::restate_in_unit(&mut unit, to, [&mut value]))).then_some(value)
 }
 
-/// Figures of a campaign that decide about every limit on a force.
+/// Figures of a campaign from which every limit on a force can be checked.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct Figures {
     of: limits::Figures,
@@ -120,7 +120,7 @@ impl Figures {
     }
 }
 
-/// Figures of a damper over a setting that decide about every limit.
+/// Figures of a damper over a setting from which every limit can be checked.
 #[pyclass(frozen, module = "dashpot._native")]
 pub struct SettingsFigures {
     /// The figures.

@@ -86,7 +86,7 @@ def test_each_setting_has_its_columns_and_an_unmeasured_one_has_no_values(fleet:
     measured = [[r[f"error_percent_at_{s}_A"] is not None for s in ("0", "0.8", "1.6")] for r in table]
     assert measured == [[True] * 3, [True] * 3, [True, False, True], [False, True, False]]
     assert all((r["force_at_+0.262_m_s_at_0.8_A"] is not None) == m[1] for r, m in zip(table, measured, strict=True))
-    # A force without a setting would be that of no setting.
+    # The force depends on the setting, so a column without a setting has no values.
     assert all(r["force_at_+0.262_m_s"] is None for r in table)
     family = dashpot.fit(dashpot.Campaign.read(fleet / "d0"), setting="current", elements=ELEMENTS)
     assert table[0]["model"] == family.text
@@ -115,7 +115,7 @@ def test_each_setting_has_its_columns_and_an_unmeasured_one_has_no_values(fleet:
 
 
 def test_a_parameter_that_one_damper_shares_is_beside_those_over_the_setting(tmp_path: Path) -> None:
-    """If friction varies over the setting in one damper, a damper that shares it has the shared value at each of its own settings alone."""
+    """If friction depends on the setting in one damper, a damper with constant friction has this value at each of its measured settings."""
     store = Store(tmp_path / "t.parquet")
 
     def friction(setting: float | None, value: float) -> dict[str, Any]:
@@ -242,7 +242,7 @@ def test_the_response_of_the_valve_has_columns_where_tests_have_steps(tmp_path: 
     store.close()
     with_steps, without = rows(tmp_path / "t.parquet")
     assert [row["status"] for row in (with_steps, without)] == ["ok", "ok"], with_steps["reason"]
-    # How accurate the times are is a question of the fit, which has its own tests; the columns have what the fit says.
+    # Other tests check the accuracy of the times. This test checks that the columns equal the estimates of the fit.
     assert with_steps["setting_time_up_low"] < with_steps["setting_time_up"] < with_steps["setting_time_up_high"]
     fitted = dashpot.fit(dashpot.Campaign.read(tmp_path / "steps"), setting="current", elements=ELEMENTS)
     assert fitted.fit.actuator is not None

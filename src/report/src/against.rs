@@ -24,8 +24,8 @@ impl Rival {
     }
 }
 
-/// Builds the report section that compares the model with models of the literature. Returns `None` if none was
-/// compared.
+/// Builds the report section that compares the model with models of the literature. Returns `None` without models of
+/// the literature.
 pub fn section(validation: &Validation, tests: &[Compared<'_>], rivals: &[Rival], words: &Words) -> Option<Section> {
     if validation.against.is_empty() {
         return None;

@@ -1,6 +1,6 @@
 //! Building blocks of a report: sections of paragraphs, tables and figures, without markup.
 //!
-//! All texts are plain text; the page escapes them.
+//! All texts are plain text. The renderer of the page escapes them for HTML.
 
 use crate::cells::Cell;
 use dashpot_identification::limits::Overall;
@@ -33,7 +33,7 @@ pub enum Block {
     Heading(String),
     /// Plain text.
     Paragraph(String),
-    /// A caution about the reliability of the figures.
+    /// A warning about the reliability of the results.
     Warning(String),
     /// A list of remarks.
     List(Vec<String>),

@@ -66,7 +66,8 @@ impl Cell {
         Self::of_reading(numbers, &Reading::new(value, low, high, unit), words)
     }
 
-    /// Creates two cells from a reading: its value, and the ends of its interval. `numbers` are the full numbers in the unit of the reading.
+    /// Creates two cells from a reading: its value, and the ends of its interval. The first argument contains the unrounded value and ends
+    /// in the unit of the reading.
     pub fn of_reading([value, low, high]: [f64; 3], reading: &Reading, words: &Words) -> [Self; 2] {
         let (text, ends) = numbers::reading(reading, words);
         [

@@ -107,7 +107,8 @@ fn table(found: &Certificate, words: &Words) -> Table {
     let remark = |text, one: &Checked, value: f64| {
         words.fill(text, &[("verdict", verdict(one.verdict)), ("value", &*digits(value, 2))])
     };
-    // A verdict on a time may depend on its uncertainty, ms. A measured friction may contain damping, N.
+    // A remark on a response time states the uncertainty, ms, that can change the verdict. A remark on a friction force states the damping
+    // force, N, that the measured friction contains.
     let measured_verdict = |one: &Checked| match (one.deciding_uncertainty(), one.damping_in_friction()) {
         (Some(uncertainty), _) => remark(words.certificate_unsure, one, 1e3 * uncertainty),
         (None, Some(damping)) => remark(words.certificate_damping, one, damping),
@@ -163,7 +164,7 @@ fn table(found: &Certificate, words: &Words) -> Table {
     }
 }
 
-/// Returns the number of decimals with which a velocity, mm/s, was written: at most two, because rigs are no more exact.
+/// Returns the number of decimals that an exact velocity, mm/s, has. At most two decimals are returned, because rigs are not more accurate.
 fn written_decimals(velocity: f64) -> usize {
     const MOST: usize = 2;
     let is_exact = |decimals: &usize| {
@@ -181,7 +182,7 @@ fn in_short(tests: &[String]) -> String {
     }
 }
 
-/// Formats a setting in the unit of the damper that the limit is for.
+/// Formats a value of the setting with the unit that the limit states.
 fn at_setting(value: f64, limit: &Limit, words: &Words) -> String {
     words.number(&setting_in_words(value, &limit.setting_unit))
 }

@@ -132,15 +132,15 @@ fn reach(diagnosis: &Diagnosis) -> (f64, f64) {
     velocities.fold((0.0f64, 0.0f64), |(low, high), v| (low.min(v), high.max(v)))
 }
 
-/// Returns whether the records of a group determine a parameter, so that a comparison with the reference is valid. `velocity`, m/s, is that
-/// of a point of the FV curve.
+/// Returns whether the records of a group determine a parameter, so that a comparison with the reference is valid. For a point of the FV
+/// curve, `velocity` is its velocity, m/s. Otherwise, `velocity` is `None`.
 fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) -> bool {
     if diagnosis.reference.is_none() {
         return false;
     }
     match velocity {
-        // A point beyond the velocities of the group's tests is extrapolated, so it is not compared. The whole curve has a point in both
-        // directions, of which the change states that in rebound.
+        // A point beyond the velocities of the group's tests is extrapolated, so it is not compared. A change of the whole curve has one
+        // point in rebound and one in compression at the same speed. `velocity` is that of the point in rebound.
         Some(v) => reaches(reach(diagnosis), v) && (parameter != WHOLE_CURVE || reaches(reach(diagnosis), -v)),
         None => diagnosis.estimates.iter().any(|e| e.name == parameter && e.standing == Standing::Identified),
     }
@@ -149,7 +149,7 @@ fn is_compared(diagnosis: &Diagnosis, parameter: &str, velocity: Option<f64>) ->
 /// Name of the change of the FV curve in both directions.
 const WHOLE_CURVE: &str = "fv_curve";
 
-/// Returns whether motion in this range of velocities reaches a velocity in its direction.
+/// Returns whether a motion with the lowest velocity `low` and the highest velocity `high` reaches `velocity` in the same direction.
 fn reaches((low, high): (f64, f64), velocity: f64) -> bool {
     if velocity < 0.0 { velocity >= low } else { velocity <= high && high > 0.0 }
 }
@@ -329,7 +329,7 @@ mod tests {
     fn the_reach_of_a_group_is_that_of_all_its_tests() {
         let of = |velocities: &[&[f64]]| reach(&group("a", velocities, Vec::new(), Vec::new()).diagnosis);
         assert_eq!(of(&[&[-0.1, 0.0, 0.2], &[-0.3, 0.1]]), (-0.3, 0.2));
-        // A test that does not cross zero, such as a stroke in one direction, shows the velocities in between as well.
+        // The range of a test always includes zero, even if its velocity does not change its sign, as in a stroke in one direction.
         assert_eq!(of(&[&[0.1, 0.4]]), (0.0, 0.4));
         assert_eq!(of(&[]), (0.0, 0.0));
     }

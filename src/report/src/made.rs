@@ -124,7 +124,8 @@ pub(crate) fn lines(made: &Made, words: &Words) -> Vec<String> {
     lines
 }
 
-/// Largest number of files whose hashes stand open and are printed. The files of many dampers are more, and their joint hash is in the list.
+/// Largest number of files whose hashes the page shows and prints. A longer table is collapsed, and the list of lines contains the joint
+/// hash of all files.
 const MANY: usize = 100;
 
 /// Builds the section on the origin of a report, its last section.
@@ -171,7 +172,7 @@ mod tests {
         let path = folder.path().join("a");
         std::fs::write(&path, "abc").unwrap();
         let file = MadeFrom::read(&path).unwrap();
-        // The expected hash is that of the one-block example of FIPS 180-4.
+        // The expected hash is the hash of the one-block example in FIPS 180-4.
         assert_eq!(file.sha256, "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
         assert_eq!(file.bytes, 3);
         assert_eq!(MadeFrom::of_content(&path.display().to_string(), b"abc"), file);

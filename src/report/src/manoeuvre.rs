@@ -37,8 +37,8 @@ pub struct CornerFigures {
     pub largest_force_n: f64,
     /// Largest magnitude of the force in the simulation with the FV curve alone, N.
     pub largest_force_fv_n: f64,
-    /// rms difference between the forces of the full model and of the FV curve alone, N, without the error of the coupling step
-    /// ([`Figures::quiet_step_s`]).
+    /// rms difference between the forces of the full model and of the FV curve alone, N. If the coupling chatters in the host's step, both
+    /// forces come from simulations in the shorter step [`Figures::quiet_step_s`].
     pub rms_force_difference_n: f64,
     /// rms error of the force, N, due to chatter in the host's step: for the full model, and for the FV curve alone. `None` if the coupling
     /// does not chatter.
@@ -69,11 +69,11 @@ pub struct Figures {
     pub largest_heave_acceleration_m_s2: [f64; 2],
     /// rms heave acceleration of the body, m/s²: with the full model, and with the FV curve alone.
     pub rms_heave_acceleration_m_s2: [f64; 2],
-    /// rms difference of the body's heave, m, between the simulations with the full model and with the FV curve alone. It is free of the
-    /// error of the coupling step.
+    /// rms difference of the body's heave, m, between the simulations with the full model and with the FV curve alone. If the coupling
+    /// chatters, both come from simulations in the shorter step.
     pub rms_heave_difference_m: f64,
     /// Shorter coupling step, s, for the comparison of the full model with the FV curve alone. `None` if the coupling of force and motion
-    /// chatters with neither of them in the host's step.
+    /// chatters in neither of the two simulations in the host's step.
     pub quiet_step_s: Option<f64>,
     /// Largest ratio c h/m of the coupling: damping c at the wheel, N s/m, times coupling step h, s, divided by unsprung mass m, kg.
     pub coupling: f64,

@@ -10,7 +10,8 @@ pub fn force(newton: f64) -> String {
     number(newton, places(newton, 0))
 }
 
-/// Formats a difference of forces, N, with one decimal. Below 1 N it has two digits, because that may be the whole error of a small damper.
+/// Formats a difference of forces, N, with one decimal. Below 1 N the text has two digits, because the whole error of a small damper may be
+/// below 1 N.
 pub fn error(newton: f64) -> String {
     number(newton, places(newton, 1))
 }
@@ -74,8 +75,8 @@ pub fn fraction(value: f64) -> String {
     if value.is_finite() { format!("{}\u{a0}%", number(100.0 * value, 0)) } else { "–".into() }
 }
 
-/// Formats the closed fraction of a gap between error and noise, in percent, and returns whether the gap was closed.
-/// If not, the text is the growth of the gap. An error below the noise closes all of the gap.
+/// Formats the closed fraction of a gap between error and noise, in percent, and returns whether the gap became smaller. If the gap became
+/// larger, the text states its growth in percent. An error below the noise counts as a fraction of 100 %.
 pub fn closed_gap(closed: f64) -> (String, bool) {
     (fraction(closed.min(1.0).abs()), closed >= 0.0)
 }

@@ -112,7 +112,7 @@ pub fn section(parameters: &[ParameterRow], words: &Words) -> Option<Section> {
     let rows = parameters
         .iter()
         .map(|row| {
-            // Digits and unit are those of the notes on the same number.
+            // The row has the same digits and the same unit as the notes on this parameter.
             let [low, high] = [row.low, row.high].map(|end| end.unwrap_or(f64::NAN));
             let reading = Reading::new(row.value, low, high, &row.unit);
             let (factor, _) = reading_unit(row.value, &row.unit);
@@ -169,7 +169,7 @@ pub fn of_model(model: &ModelFile, words: &Words) -> Vec<ParameterRow> {
                     unit: p.unit.to_owned(),
                     low,
                     high,
-                    // A value that no test determines comes from none.
+                    // A value that no test determines has no source in the fit.
                     source: id
                         .sources
                         .get(p.name)

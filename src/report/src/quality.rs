@@ -50,8 +50,8 @@ pub fn sentence(quality: &Quality, words: &Words) -> String {
     )
 }
 
-/// Rates an error by its ratio to the noise (NaN if the noise is unknown) and by its percentage of the largest force. An
-/// error that is only fair counts as poor unless the model is better than the FV curve.
+/// Rates an error by its ratio to the noise (NaN if the noise is unknown) and by its percentage of the largest force. A rating of fair
+/// becomes poor if the model is not better than the FV curve.
 pub fn grade(by_noise: f64, percent: f64, is_better: bool, words: &Words) -> &str {
     if by_noise <= NOISE {
         words.quality_noise

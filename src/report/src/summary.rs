@@ -81,7 +81,8 @@ fn left_out(validation: &Validation, words: &Words) -> Option<String> {
     }
 }
 
-/// Returns the index of the test with the largest relative error. Of equal errors, the first one counts.
+/// Returns the index of the test with the largest relative error. If several tests have this error, returns the first
+/// of them.
 pub fn worst(validation: &Validation) -> Option<usize> {
     let percent = |i: &usize| validation.tests[*i].errors.model.error_percent;
     (0..validation.tests.len()).min_by(|a, b| percent(b).total_cmp(&percent(a)))

@@ -70,8 +70,9 @@ impl SeverityContext {
     /// Computes the severity of a campaign, relative to the noise. A result above `wanted` may be too large.
     ///
     /// The refit starts from the neutral damper's model. If its result exceeds `wanted`, a newly identified model is
-    /// refitted as well, and the smaller residual counts. For example, friction in the FV curve behind the series
-    /// spring acts like an elastic contact. The refit of a model with parallel friction cannot reach that form.
+    /// refitted as well, and the smaller of both residuals is returned. For example, friction in the FV curve behind
+    /// the series spring acts like an elastic contact. The refit of a model with parallel friction cannot reach that
+    /// form.
     ///
     /// # Errors
     /// Errors of reader or fit.

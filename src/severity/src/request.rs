@@ -20,7 +20,8 @@ pub enum Numbers {
 /// Strength of a typical strong case. It is the default if no number is stated.
 const TYPICAL: f64 = 1.0;
 
-/// Highest accepted severity, in units of the noise. Strong is 4, and no effect reaches this one with the sensors of a rig.
+/// Highest accepted severity, in units of the noise. A strong effect has a severity of 4. With the sensors of a rig, no effect reaches the
+/// highest accepted severity.
 const HIGHEST: f64 = 1000.0;
 
 fn refused(problem: String) -> SeverityError {

@@ -511,7 +511,7 @@ mod tests {
                 assert!(said.contains(&format_number(value)) && said.len() < 300, "{said}");
             }
         }
-        // A short time between two samples gives the computed velocity, which has no column of its own.
+        // The velocity that is computed from two samples a short time apart also has a limit. The motion has no column of velocity.
         let fast = MotionRecord { time: vec![0.0, 1.0 / 4096.0], displacement: two(0.5), velocity: None, ..still() };
         assert!(message(fast, None, 1e-4).unwrap_err().contains("velocity is 2048;"));
     }

@@ -2,10 +2,10 @@
 
 use crate::imposed_motion::{ImposeError, ImposedMotion, SimulatedSample};
 
-/// Smallest ratio of two errors at which the sign is doubted: the error of the motion as read, and that with the
-/// opposite direction positive.
+/// Smallest ratio of two errors at which the sign is doubted. It is the error of the motion as read, divided by the error with the opposite
+/// direction positive.
 ///
-/// A damper that is nearly symmetric has a ratio near 1 in the right direction, too. The test
+/// For a damper that is nearly symmetric, the ratio is near 1 although the direction is right. The test
 /// `a_motion_with_compression_positive_is_noticed_by_its_force` checks the limit.
 const CLEAR: f64 = 2.0;
 /// Largest error with the opposite direction, as a fraction of the force, at which the model describes the damper. With a larger error,
@@ -23,10 +23,11 @@ pub struct SignDoubt {
     pub motion_alone: bool,
 }
 
-/// Compares the force that was recorded with a motion with the simulated one in both directions. Returns the errors if
-/// the opposite direction of the motion is clearly the right one. Returns `None` if the numbers of samples differ.
+/// Compares a recorded force with the simulated force, for the motion as read and for the reversed motion. Returns the errors if the
+/// reversed motion is clearly the right one. Returns `None` if the numbers of samples differ.
 ///
-/// The force counts with the sign that fits better, because some files count motion and force in opposite directions.
+/// Each error is computed with the sign of the recorded force that fits better. This is because some files count motion and force in
+/// opposite directions.
 ///
 /// `as_read` is the simulation of the motion as read. `simulate` computes the force of another motion. `recorded` has
 /// one force for each sample, in N, with the sign of the motion.
@@ -80,11 +81,11 @@ mod tests {
         assert_eq!(doubt(&motion, &of_file(1.0, 1.1)), None);
         let found = doubt(&motion.reversed(), &of_file(-1.0, 1.1)).unwrap();
         assert!(found.error > 3.0 * found.reversed_error && !found.motion_alone, "{found:?}");
-        // The file counts motion and force in opposite directions. If only the force differs, the motion is right.
+        // In the file, only the motion is reversed. If only the sign of the force is wrong, the motion is not doubted.
         let found = doubt(&motion.reversed(), &of_file(1.0, 1.1)).unwrap();
         assert!(found.motion_alone, "{found:?}");
         assert_eq!(doubt(&motion, &of_file(-1.0, 1.1)), None);
-        // The force of another damper, or one with another number of samples, gives no result.
+        // A force of another damper, or one with another number of samples, gives no doubt.
         assert_eq!(doubt(&motion.reversed(), &of_file(-1.0, 5.0)), None);
         assert_eq!(doubt(&motion, &forces[1..]), None);
     }

@@ -16,7 +16,7 @@ pub enum OwnSetting {
 }
 
 impl OwnSetting {
-    /// Finds the setting of a record. A setting with another name or unit than that of the axis does not count.
+    /// Finds the setting of a record. A setting whose name or unit differs from the axis is ignored.
     pub fn find(axis: &Axis, record: &Record) -> OwnSetting {
         let is_own = |name: &str, unit: &str| is_of_axis(axis, name) && setting_factor(unit, axis.unit()) == Some(1.0);
         if record.setting_signal.as_ref().is_some_and(|signal| is_own(&signal.name, &signal.unit)) {

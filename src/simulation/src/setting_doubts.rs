@@ -24,8 +24,8 @@ const CANDIDATES: usize = 4;
 /// Returns doubts about the settings of records whose forces another setting predicts clearly better. Examines the records with the largest
 /// errors. `settings` contains the setting of each record, or `None` if the setting changes within it.
 ///
-/// Between two settings of the grid the force is interpolated. An error there says more about the interpolation than about the label of the
-/// test, so such a test is not examined.
+/// At a setting between two values of the grid, the model interpolates the force. A large error there may come from the interpolation and
+/// not from a wrong setting, so such a test is not examined.
 pub fn doubt_settings(file: &ModelFile, compared: &[Compared<'_>], settings: &[Option<f64>]) -> Vec<SettingDoubt> {
     let grid = file.axis.grid();
     let mut worst: Vec<(usize, f64, f64)> = compared

@@ -57,12 +57,12 @@ pub struct StepForces {
 }
 
 impl StepForces {
-    /// Returns, for each instant, whether rounding of the velocity leaves the model's forces unaffected.
+    /// Returns, for each instant, whether the rounded velocity causes only a negligible error of the model's forces.
     ///
-    /// Rounding is the smoothing by the window of the derivative with which the velocity is computed. It moves a value toward the mean of
-    /// its neighbors in the window. The difference between value and mean estimates the error of the force. In the middle of a corner, the
-    /// rounded velocity is linear, so this difference does not show the error. So instants within a quarter of the window from a rounded
-    /// instant count as rounded too.
+    /// The velocity is rounded, because the derivative of the position smooths it over a window. Smoothing moves a value toward the mean of
+    /// its neighbors in the window. So the difference between a model force and its mean over the window estimates the force error. In the
+    /// middle of a corner, the rounded velocity is linear, so this difference does not show the error. Therefore, instants within a quarter
+    /// of the window from a rounded instant count as rounded too.
     fn has_known_motion(&self) -> Vec<bool> {
         if self.velocity_window_s == 0.0 {
             return vec![true; self.time.len()];

@@ -80,7 +80,7 @@ mod tests {
             params.set(name, value).unwrap();
         }
         let model = Model::new(&params).unwrap();
-        // The measured force of both records is that of one simulation of the model, with a pause of 0.5 s between the records.
+        // The measured forces of both records come from one simulation of the model, with a pause of 0.5 s between the records.
         let whole = {
             let (a, b) = (record(0.0), record(0.0));
             let rest = 0.5;

@@ -1,7 +1,8 @@
-//! Tests that no function of the source code is longer than a reader can survey. A function that is longer for a reason
-//! states it in a line `// Long: reason` directly above its signature, its attributes or its doc comment.
+//! Tests that no function of the source code is longer than [`LONGEST`] lines, so that a reader can survey it. If a
+//! function is longer for a reason, a line `// Long: reason` directly above its signature, attributes or doc comment
+//! must state this reason.
 //!
-//! Unit tests do not count. A length is that of the lines from the signature to the closing brace.
+//! Unit tests do not count. The length of a function is the number of lines from its signature to its closing brace.
 
 use dashpot_test_support::rust_files;
 use dashpot_tests::library::root;
@@ -16,7 +17,8 @@ const REASON: &str = "// Long: ";
 /// Function of a source file.
 struct Function {
     name: String,
-    /// Number of its first line in the file, from 1: the one of the doc comment, the first attribute or the signature.
+    /// Number of the function's first line in the file, from 1. This is the first line of the doc comment, an attribute
+    /// or the signature.
     begin: usize,
     /// Number of the line with the signature, from 1.
     line: usize,
@@ -77,14 +79,14 @@ impl<'ast> Visit<'ast> for Reader {
     }
 }
 
-/// Returns the violations in a file, and how many functions it has.
+/// Returns the violations in a file, and the number of its functions.
 fn violations(file: &str, text: &str) -> (Vec<String>, usize) {
     let mut reader = Reader::default();
     reader.visit_file(&syn::parse_file(text).unwrap_or_else(|error| panic!("{file}: {error}")));
     let lines: Vec<&str> = text.lines().collect();
     let mut found = Vec::new();
     for Function { name, begin, line, lines: length } in &reader.0 {
-        // A comment is no token, so the line with the reason may be above `begin`.
+        // The parser omits ordinary comments, so the line with the reason may be above `begin`.
         let above = lines[..begin - 1].iter().rev().take_while(|text| text.trim().starts_with("//"));
         let within = &lines[begin - 1..line - 1];
         let reason = above.chain(within).find_map(|text| text.trim().strip_prefix(REASON.trim_end()));

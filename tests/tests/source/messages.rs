@@ -1,7 +1,7 @@
 //! Tests that code uses every message to the user that the lists of messages declare.
 //!
-//! The tests of `report` and `gui` check that each message has a text in every language, and that no file of a language
-//! contains another text.
+//! The tests of `report` and `gui` check that each message has a text in every language. They also check that no file
+//! of a language contains another text.
 
 use dashpot_tests::library::root;
 use std::collections::BTreeSet;

@@ -22,7 +22,7 @@ const OF_NUMBERS_WITH_DERIVATIVES: [&str; 1] = ["src/other_lab/src/protocol/wave
 /// Returns the name from [`SYSTEMS`] that a line of code calls, or `None` if it calls none.
 fn calls(line: &str) -> Option<&'static str> {
     let code = line.split("//").next().unwrap_or(line);
-    // Two points do not begin a method call: `..log(x)` sets the other fields of a structure.
+    // Two dots do not begin a method call: `..log(x)` sets the other fields of a structure.
     let as_method = |name: &str| {
         let call = format!(".{name}(");
         code.match_indices(&call).any(|(at, _)| !code[..at].ends_with('.'))

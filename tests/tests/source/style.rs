@@ -1,7 +1,7 @@
 //! Tests the rules of STYLE.md: standard terms in names and JSON keys, self-contained doc comments, short sentences in
 //! all Markdown documents.
 //!
-//! A name counts if another module can use it: `pub`, `pub(crate)`, `pub(super)` and `pub(in ...)`.
+//! The test covers a name if another module can use it: `pub`, `pub(crate)`, `pub(super)` and `pub(in ...)`.
 //!
 //! `ALLOWED` states the remaining violations by crate and document. A count may only fall. The test fails at a higher
 //! count, and also at a lower count until the table contains the lower count.

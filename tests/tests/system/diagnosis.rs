@@ -44,7 +44,7 @@ fn diagnosed(truth: &Params, model: &Params, seed: u64) -> Diagnosis {
 fn of(records: &[Record], model: &Params) -> Diagnosis {
     let refs: Vec<&Record> = records.iter().collect();
     let found = diagnose(&refs, &choose_left_out(&refs, 0), model, &Options::default(), &|_, _| ()).unwrap();
-    // Without a name, the proposed model lacks at most what the records do not need.
+    // If the diagnosis names no effect, the refit must not increase the residual by more than 2 %.
     assert!(!found.findings.is_empty() || found.after.rmse_n <= 1.02 * found.before.rmse_n, "{}", describe(&found));
     found
 }

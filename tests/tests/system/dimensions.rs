@@ -76,8 +76,8 @@ fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_m
     assert!((contradiction["ratio"].as_f64().unwrap() - 240.0 / 114.04).abs() < 0.01, "{found}");
     let quantities = found["quantities"].as_array().unwrap();
     let pressure = quantities.iter().find(|of| of["name"] == "gas_pressure").unwrap();
-    // The pressure follows from the gas force and the rod. At the stated pressure, the rod would need a diameter of 16
-    // mm, that of another damper, so the pressure is the first cause.
+    // The pressure follows from the gas force and the rod. With the stated pressure, the rod would need a diameter of
+    // 16 mm, which is a rod of another damper. So the pressure is reported as the first cause.
     assert!(pressure.get("note").is_none(), "{found}");
     assert_eq!(contradiction["causes"][0]["entry"], "gas_pressure_bar", "{found}");
     assert_eq!(contradiction["entries"].as_array().unwrap().len(), 2);

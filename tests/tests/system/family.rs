@@ -413,8 +413,8 @@ fn one_test_with_steps_shows_both_lags_of_a_valve_and_one_without_falls_says_so(
     assert!((of("setting_time_up").value / 0.03 - 1.0).abs() < 0.2, "{found:?}");
 }
 
-/// Checks that a family that lacks elements of the damper does not exclude the lag of its valve. On a grid of two settings,
-/// a note states what the times assume.
+/// Checks that a family that lacks elements of the damper does not exclude the lag of its valve. On a grid of two settings, a note states
+/// the assumption on which the estimated times depend.
 #[test]
 fn a_poor_family_does_not_exclude_the_lag_of_its_valve() {
     let mut valve = truth(None);

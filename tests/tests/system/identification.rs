@@ -101,7 +101,7 @@ fn cover_the_truth(seeds: std::ops::RangeInclusive<u64>) {
     let count_of_seeds = seeds.clone().count() as u32;
     let truth = truth();
     let model = Model::new(&truth).unwrap();
-    // The two numbers for each parameter are the number of all intervals, and that of the intervals that contain the
+    // For each parameter, the two numbers are the number of all intervals, and the number of intervals that contain the
     // true value.
     let mut covered: BTreeMap<&str, (u32, u32)> = BTreeMap::new();
     for seed in seeds {
@@ -233,8 +233,8 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         let late: Vec<Record> =
             few.map(|r| correct_record(&r, &MeasurementError { delay_s: -0.3e-3, ..MeasurementError::NONE })).collect();
         let found = fitted(&late);
-        // A delayed force channel may resemble an oil column more than a softer mount. Then the stiffness is that of
-        // the oil column.
+        // A delayed force channel may resemble an oil column more than a softer mount. In this case, the fit gives the
+        // stiffness of an oil column.
         let is_stiffness = |e: &&Estimate| {
             ["series_stiffness", "oil_stiffness"].contains(&e.name) && e.standing == Standing::Identified
         };
@@ -243,8 +243,8 @@ fn an_interval_holds_the_truth_though_a_late_channel_is_not_believed() {
         unbelieved += u32::from(found.measured.is_empty());
         far += u32::from(estimate.value < 0.9 * stiffness);
     }
-    // At least two of the four seeds must give a rejected delay, and at least two a stiffness that is more than 10 %
-    // too small. Otherwise, the test would not cover its case.
+    // At least two of the four seeds must give a rejected delay. At least two must give a stiffness that is more than
+    // 10 % too small. Otherwise, the test would not cover its case.
     assert!(unbelieved >= 2 && far >= 2, "{unbelieved} {far}");
 }
 

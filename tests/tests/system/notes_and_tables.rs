@@ -68,7 +68,7 @@ fn a_note_states_the_numbers_of_its_table() {
     let wrong = MeasurementError { delay_s: -late.delay_s, ..MeasurementError::NONE };
     let delayed: Vec<Record> = plain.iter().map(|record| correct_record(record, &wrong)).collect();
     let stiffness = truth.number(number!("series_stiffness"));
-    // Without fast short strokes, the mass between damper and mount stays open.
+    // Without short and fast strokes, the records do not determine the mass between damper and mount.
     let long: Vec<Record> = plain.iter().filter(|record| record.frequency < 5.0).cloned().collect();
     let slow: Vec<Record> = plain.iter().filter(|record| record.peak_velocity < 0.4).cloned().collect();
     let known = ["fv_curve", "series_compliance", "parallel_spring", "coulomb_friction", "gas_preload"];
@@ -94,7 +94,7 @@ fn a_note_states_the_numbers_of_its_table() {
                 let stated = note.rsplit_once(" at ").unwrap().1.split(':').next().unwrap();
                 let row = row(name);
                 if row[0] == "–" {
-                    // A number that the records leave open has no value in the table, and its remark states what is assumed.
+                    // A number that the records do not determine has no value in the table. Its remark states the assumed value.
                     assert!(row[5].contains(stated), "{note} {row:?}");
                 } else {
                     assert_eq!(stated, format!("{} {}", row[0], row[1]).trim_end(), "{note}");
@@ -104,7 +104,7 @@ fn a_note_states_the_numbers_of_its_table() {
                 let stated = between(&note, "damper: ", " are ");
                 let row = row(name);
                 assert_eq!(stated, format!("{} {}", row[0], row[1]), "{note}");
-                // The expected value lies outside the interval that the table shows.
+                // The value expected from the dimensions lies outside the interval in the table.
                 let expected = between(&note, "times the ", " that ").split(' ').next().map(figure).unwrap();
                 assert!(expected < figure(&row[2]) || expected > figure(&row[3]), "{note} {row:?}");
                 let ratio = figure(&row[0]) / expected;
@@ -115,7 +115,8 @@ fn a_note_states_the_numbers_of_its_table() {
                 let row = row(name);
                 let estimate = fit.estimates.iter().find(|estimate| estimate.name == name).unwrap();
                 assert_eq!(between(&note, "expected at ", " (").split_once(' ').unwrap().1, row[1], "{note}");
-                // A value that was expected and not contradicted has a common part with the interval of the table.
+                // If the records do not contradict the expected value, the interval of the expected value and the interval in the table
+                // overlap.
                 if estimate.standing == Standing::Identified {
                     assert!(figure(&row[2]) <= high && figure(&row[3]) >= low, "{note} {row:?}");
                 }

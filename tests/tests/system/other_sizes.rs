@@ -1,4 +1,4 @@
-//! Tests of dampers of other sizes than those of passenger cars.
+//! Tests of dampers that are much smaller or larger than the dampers of passenger cars.
 //!
 //! All forces of the records are scaled by 0.01 or 20. The fit must select the same elements, with scaled forces and
 //! equal relative error. The diagnosis must give the same names of effects.

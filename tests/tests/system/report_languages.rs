@@ -1,4 +1,4 @@
-//! Tests the reports in every language: those of three diagnoses, and those of a validation with flawed records.
+//! Tests the reports in every language: reports of three diagnoses, and of a validation with flawed records.
 //!
 //! This file lists all texts that stay English in the translated reports.
 

@@ -85,8 +85,8 @@ pub fn run(args: &Args) -> anyhow::Result<Verdict> {
     Ok(if args.strict && chatters { Verdict::Failed } else { Verdict::Passed })
 }
 
-/// Returns the printed lines. A damper over a setting has those of the setting with the largest gain, those of every other setting that has
-/// a remark, and the fastest rate of all settings.
+/// Returns the printed lines. For a damper over a setting, they are the messages at the setting with the largest gain, and the remarks at
+/// all other settings. The fastest rate over all settings follows.
 fn lines(dampers: &[(Option<f64>, Ready)], axis: &Axis) -> anyhow::Result<Vec<String>> {
     let at = |setting: Option<f64>| setting.map_or_else(String::new, |value| format!("{}: ", setting_at(axis, value)));
     let gain = |ready: &Ready| ready.chatter.gain;

@@ -324,8 +324,8 @@ pub fn print_sign<'a>(notes: impl IntoIterator<Item = &'a Note>) {
     }
 }
 
-/// Prints the notes on many campaigns. Of equal notes that differ in names and numbers, only the first is printed, with the number of the
-/// others, so that the output does not grow with the number of campaigns. Warnings are printed for each campaign.
+/// Prints the notes on many campaigns. Notes that differ only in names and numbers are printed once, with the number of the others, so that
+/// the output stays short. Warnings are printed for each campaign.
 pub fn print_notes_of_groups(notes: &[Note]) {
     let (loud, quiet): (Vec<&Note>, Vec<&Note>) = notes.iter().partition(|note| note.is_loud());
     for note in loud {

@@ -173,7 +173,7 @@ fn one(finding: &Finding) -> Vec<String> {
         let (value, interval) = with_interval(v.value, v.low, v.high, v.unit, &TERMINAL);
         lines.push(format!("  {name:<30} {value:>16}  95 %: {interval}{far}"));
     }
-    // The gap on left-out tests says more than the disagreement on the fitted tests.
+    // The error on left-out tests is stronger evidence than the error on fitted tests, so it is stated if it is known.
     lines.push(match finding.gap_closed {
         Some(gap) => format!("  without it {} of the gap opens again", fraction(gap)),
         None => format!("  without it {} of the disagreement opens again", fraction(finding.fraction)),

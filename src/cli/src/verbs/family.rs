@@ -56,8 +56,8 @@ pub fn run(
     say(&format!("{} fitted; model in {}", count_tests(found.tests.len()), name_of(output)))?;
     let good = quality::sentence(&whole_records::quality_of_family(&found, records)?, &TERMINAL);
     let changing = whole_records::quality_where_the_setting_changes(&found, records)?;
-    // The rating applies only at the settings of the records if a prediction at a left-out setting is worse than the fit. It also does if
-    // no setting was left out.
+    // The rating may apply only at the settings of the records. This is the case if the prediction at a left-out setting is worse than the
+    // fit, or if no setting was left out.
     let is_worse_between = found.worst_left_out().is_none_or(|of| of.is_worse());
     let is_of_all = !is_worse_between && changing.is_none();
     say(&if is_of_all { good } else { format!("At the settings of the records: {}", lower_first(&good)) })?;
@@ -76,7 +76,7 @@ pub fn run(
     Ok(())
 }
 
-/// Largest number of tests that a line names. More names hide the count.
+/// Largest number of tests that a line names. Among more names, a reader would overlook the number of tests.
 const NAMED: usize = 6;
 
 /// Validates the adjustable damper over whole records, and writes the report.
@@ -158,8 +158,8 @@ fn format_family(found: &FamilyFit) -> Vec<String> {
     out
 }
 
-/// Largest relative difference between the forces of an effect at its settings that the text reports as alike. Forces
-/// that differ more are listed. The difference is relative to the largest of them.
+/// Largest difference between the forces of an effect at its settings, relative to the largest of them, at which the text calls the forces
+/// alike. With a larger difference, the text lists them.
 const ALIKE: f64 = 0.02;
 
 /// Formats the rms force of an effect at each setting, N. If the forces are alike, states only that they are.

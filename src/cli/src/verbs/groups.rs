@@ -24,8 +24,8 @@ fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }
 
-/// Formats the answer of each group, with the parameters that changed in it, and notes. A group has one line, and at most [`TOLD`] + 1 lines
-/// on parameters.
+/// Formats the result of each group, with the parameters that changed in it, and notes. A group has one line, and at most [`TOLD`] + 1
+/// lines on parameters.
 pub fn format_groups(answers: &GroupResults) -> Vec<String> {
     let is_chain = answers.groups.iter().any(|answer| answer.reference != answers.reference);
     let with = if is_chain { "the group before each, the first with " } else { "" };
@@ -43,7 +43,7 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             let (value, interval) = with_interval(of.value, of.low, of.high, of.unit, &TERMINAL);
             lines.push(format!("    {name:<30} {value:>16}  95 %: {interval}"));
         }
-        // The summary of a damper that only changed states the changes itself.
+        // If the parameters of a damper changed and no effect is missing, the summary already states the changes.
         if answer.diagnosis.verdict == Verdict::Changed {
             continue;
         }

@@ -15,7 +15,7 @@ pub fn read_family(path: &Path) -> Result<ModelFile, ModelFileError> {
     with_notes_printed(path, model_file::read_family(path)?)
 }
 
-/// Reads a model file of an ordinary or an adjustable damper, and prints its notes on numbers alone.
+/// Reads a model file of an ordinary or an adjustable damper, and prints only its notes on numbers.
 pub fn read_for_check(path: &Path) -> Result<ModelFile, ModelFileError> {
     let file = model_file::read_family(path)?;
     print_notes(path, file.remarks_on_numbers());

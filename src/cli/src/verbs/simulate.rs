@@ -68,7 +68,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     }
     let options = Options { positive: args.positive, ..args.columns.options()? };
     let mut record = read_motion(&args.motion, &options)?;
-    // If the user states the positive direction of the file, the recorded force does not test it.
+    // If the user states the positive direction of the motion, the recorded force is not used to check it.
     let recorded = record.positive.is_none().then(|| read_force_of_motion(&args.motion, &options)).flatten();
     if let Some(of) = &mut record.setting {
         // [`Commands::choose`] rejects an incompatible unit later, if the setting is used.

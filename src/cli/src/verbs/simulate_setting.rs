@@ -13,9 +13,9 @@ use std::path::Path;
 /// Largest magnitude of a time of `--setting`, s. It includes times of a clock in seconds since 1970.
 const LATEST: f64 = 1e10;
 
-/// Multiple of the largest setting of a model file beyond which a setting is in another unit, such as mA for A, and is
-/// rejected. A setting between them is a valve at its stop, so it is clamped with a note. A lower factor rejects such valves of
-/// a model file of few settings. A factor above 1000 lets mA through.
+/// Largest accepted ratio of a setting to the largest setting of the model file. With a larger ratio, the setting is probably in another
+/// unit, such as mA instead of A, and it is rejected. With a smaller ratio above 1, the valve is at its stop, so the setting is clamped
+/// with a note. A lower limit would reject such valves of a model file with few settings. A limit above 1000 would accept mA.
 const OF_ANOTHER_UNIT: f64 = 30.0;
 
 /// Settings over time from the option `--setting`: start time, s, and setting of each entry.
@@ -91,8 +91,8 @@ impl Commands {
         (motion, own): (&Path, Option<&MotionSetting>),
         given: Option<&Schedule>,
     ) -> anyhow::Result<Commands> {
-        // A column of the channel `setting` counts, whatever the name of the model's setting. The user named this column, or its heading
-        // means clicks.
+        // A column of the channel `setting` is used even if the setting of the model has another name. Either the user named this column,
+        // or its heading means clicks.
         let is_named = |of: &MotionSetting| matches!(of.source, SettingSource::Column(_, Channel::Setting));
         let is_of_model = |of: &&MotionSetting| is_of_axis(axis, &of.name) || is_named(of);
         let mut notes = Vec::new();
@@ -270,7 +270,7 @@ fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
 /// Checks that settings can be in the unit of a model file. `source` is the option or column with the settings.
 ///
 /// # Errors
-/// A setting exceeds all of the model file by [`OF_ANOTHER_UNIT`].
+/// The largest setting exceeds the largest setting of the model file by more than the factor [`OF_ANOTHER_UNIT`].
 fn of_its_unit(settings: impl Iterator<Item = f64>, (axis, model): (&Axis, &Path), source: &str) -> anyhow::Result<()> {
     let (low, high) = axis.range();
     let largest = settings.map(f64::abs).fold(0.0, f64::max);

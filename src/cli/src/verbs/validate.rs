@@ -152,7 +152,7 @@ fn read_setting(args: &Args, model: &ModelFile) -> anyhow::Result<Option<f64>> {
     args.setting.as_ref().map(|setting| setting.in_unit_of(&model.axis)).transpose()
 }
 
-/// Comparison of a model with records, and what the verb was asked for.
+/// Comparison of a model with records, with the arguments of the verb.
 struct Run<'a> {
     args: &'a Args,
     model: &'a ModelFile,

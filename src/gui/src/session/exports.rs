@@ -56,8 +56,8 @@ impl Export {
     /// Writes the export. Returns the notes that the command would print.
     ///
     /// # Errors
-    /// The model cannot be exported, the compiled runtime is missing, a file of another kind exists at the path, or the
-    /// path is not writable.
+    /// The model cannot be exported, or the compiled runtime is missing. A file of another kind exists at the path, or
+    /// the path is not writable.
     pub fn write(&self, path: &Path) -> anyhow::Result<Vec<String>> {
         let model = Model::new(&self.params).map_err(|fault| anyhow::anyhow!("{}", fault.reason.text()))?;
         match self.host {

@@ -243,8 +243,8 @@ impl Session {
         self.order_responses();
     }
 
-    /// Applies the measurement corrections of the model's fit to the open records, like the command `dashpot`. For a model without
-    /// corrections, the records are restored to those that were read.
+    /// Applies the measurement corrections of the model's fit to the open records, like the command `dashpot`. If the model has no
+    /// corrections, restores the records as they were read.
     fn see_as_the_fit_saw(&mut self) {
         let (Some(model), Some(own)) = (&self.model, &self.campaign) else { return };
         let others = self.reference.as_ref();
@@ -362,9 +362,10 @@ impl Session {
         Some(model.dampers(model.params(), self.own_settings))
     }
 
-    /// Returns whether the errors and forces at hand are provisional.
+    /// Returns whether the current errors and forces are provisional.
     ///
-    /// Until the whole records are simulated, they are those of one cycle of each test, or those of another model.
+    /// They are provisional until the whole records are simulated with the model on screen. Before that, they come from one cycle of each
+    /// test, or from the previous model.
     pub fn are_errors_provisional(&self) -> bool {
         self.simulated.as_ref().is_some_and(|of| of.quick || self.dampers().is_none_or(|now| now != of.dampers))
     }

@@ -23,11 +23,11 @@ pub struct Tuned {
     pub path: Option<PathBuf>,
     /// Parameter values as read or fitted. Tuned values are compared with them, and a reset restores them.
     pub identified: Params,
-    /// Results of the fit, for an adjustable damper those of all settings.
+    /// Results of the fit. For an adjustable damper, they contain the results of all settings.
     pub identification: Identification,
     /// Results of the fit that hold at the setting of the values; `None` for an ordinary damper.
     at_setting: Option<Identification>,
-    /// Remark on numbers of an adjustable damper through which a change of the setting may do work.
+    /// Remark on an adjustable damper whose parameters depend on the setting in such a way that a change of the setting may do work.
     energy: Option<Sentence>,
     /// Indices of the parameters that the file contains.
     given: Vec<usize>,
@@ -103,7 +103,8 @@ impl Tuned {
         Ok(Tuned { text: Some(text), ..Tuned::new(file) })
     }
 
-    /// Returns the remarks on the model: numbers without effect, and numbers through which a change of the setting may do work.
+    /// Returns the remarks on the model: parameters without effect, and a dependence on the setting through which a change of the setting
+    /// may do work.
     pub fn remarks(&self) -> Vec<Sentence> {
         self.idle().into_iter().chain(self.energy.clone()).collect()
     }
@@ -491,7 +492,7 @@ mod tests {
         assert!(model.is_of_a_fit());
         assert_eq!(model.interval("coulomb_force", 0), Some([15.0, 25.0]));
         assert_eq!(model.identified_value(&friction, 0), Some(20.0));
-        // No interval of this file applies to all settings, and still a fit made it: a number without an interval is not identified.
+        // No interval in this file applies to all settings, but a fit made the file. So a parameter without an interval is not identified.
         assert_eq!(model.identified_value(&gas, 0), None);
         assert!(model.move_to(1.0) && model.is_loose("coulomb_force", None));
         assert_eq!((model.interval("coulomb_force", 0), model.identified_value(&friction, 0)), (None, None));
@@ -572,7 +573,7 @@ mod tests {
         ] {
             assert!(tuned.text().contains(line), "{line}: {}", tuned.text());
         }
-        // The saved file has no parameters that were missing in the original. Its notes are those of the original and one on the element
+        // The saved file has no parameters that were missing in the original. It has the notes of the original, and one note on the element
         // that the user disabled.
         assert!(
             !tuned.text().contains("spring_linear") && !tuned.text().contains("viscous_coefficient"),

@@ -113,8 +113,8 @@ pub enum Kind {
 }
 
 impl Results {
-    /// Returns the kinds of the results at hand in the order of their display. Results that are out of date come last, and a newer result
-    /// comes before an older one.
+    /// Returns the kinds of the available results in the order of their display. Results that are out of date come last. Within each group,
+    /// a newer result comes first.
     pub fn order(&self, session: &Session) -> Vec<Kind> {
         let mut all: Vec<(bool, Reverse<Instant>, Kind)> = Vec::new();
         all.extend(self.fit.as_ref().map(|of| (of.is_old(session), Reverse(of.arrived), Kind::Fit)));

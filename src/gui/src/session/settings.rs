@@ -92,7 +92,8 @@ impl Session {
         self.record(test).is_some_and(|record| self.corrections.rules().values.contains_key(&record.name))
     }
 
-    /// Removes the correction of a test's setting, so that channel and name of the test count. Reads the records again.
+    /// Removes the correction of a test's setting, so that the setting comes from the record's channel or name again. Reads the records
+    /// again.
     pub fn remove_correction(&mut self, test: usize) {
         let Some(record) = self.record(test) else { return };
         let mut rules = self.corrections.rules().clone();
@@ -116,7 +117,7 @@ impl Session {
         let (Some(rules), Some(loaded)) = (rules.filter(|rules| *rules != history.now()), &self.campaign) else {
             return;
         };
-        // Rules without a name would leave the decision to a campaign.toml, which may contain the correction that is being undone.
+        // Without a name of the setting, `campaign.toml` would supply the rules. That file may contain the correction that is being undone.
         let name = rules.name.clone().or_else(|| history.now().name.clone());
         let settings = SettingRules { name, ..rules.clone() };
         let options = Options { settings, ..loaded.options.clone() };

@@ -80,7 +80,7 @@ pub fn study(question: &Question, params: &Params, loaded: &Loaded) -> Option<St
 }
 
 impl Study {
-    /// Returns whether the damper of the test has changed since the study. The varied parameter itself does not matter.
+    /// Returns whether the damper of the test has changed since the study. A change of the varied parameter alone does not count.
     pub fn is_old(&self, session: &Session) -> bool {
         let without = |mut params: Params| {
             let _ = params.set(self.question.number, self.params.number(self.question.number));

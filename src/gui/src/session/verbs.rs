@@ -94,8 +94,8 @@ impl Session {
         self.ticked().into_iter().filter(is_used).collect()
     }
 
-    /// Computes the loops of one test for several values of a parameter. The damper has the test's own setting. If the test states no
-    /// setting, or if its setting changes, the damper has the other parameter values on screen.
+    /// Computes the loops of one test for several values of a parameter. The other parameters are those at the test's own setting. If the
+    /// test states no setting, or if its setting changes, the other parameters have the values on screen.
     pub fn study(&mut self, question: Question) {
         let (Some(loaded), Some(params)) = (self.campaign.clone(), self.params_of_study(question.test)) else { return };
         self.begin(Kind::Study, move |_| {

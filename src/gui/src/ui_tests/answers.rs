@@ -1,4 +1,4 @@
-//! Tests of the panel of the results: order, what it states once, and units.
+//! Tests of the panel of the results: the order of the results, texts that must appear only once, and units.
 
 use super::drawn::each_shape;
 use super::*;
@@ -63,7 +63,8 @@ fn the_newest_answer_stands_first_and_the_panel_opens_at_it() {
     harness.set_size(egui::vec2(1280.0, 8000.0));
     harness.run_steps(3);
     assert_eq!(titles(&harness), [w.fit_result, w.validation_result, w.diagnosis_result]);
-    // With the model before the fit, validation and diagnosis are those of the data on screen.
+    // After the undo, the model is the one before the fit. Validation and diagnosis belong to this model, so they come
+    // before the fit.
     press(&mut harness, "Undo");
     harness.run_steps(2);
     assert_eq!(titles(&harness), [w.validation_result, w.diagnosis_result, w.fit_result]);
@@ -84,7 +85,8 @@ fn what_a_fit_did_not_identify_stands_once() {
             |e: &&dashpot_identification::Estimate| e.standing == Standing::NotIdentified && e.index.is_none();
         let open: Vec<_> = fit.estimates.iter().filter(is_open).collect();
         assert!(!open.is_empty());
-        // The fit has these notes, too.
+        // The notes of the fit also contain the notes on the unidentified parameters, so the panel could state them
+        // twice.
         let notes: Vec<String> = fit.notes.iter().map(|note| said.say(note)).collect();
         assert!(notes.len() > fit.further_notes().count());
         for e in open {
@@ -123,7 +125,7 @@ fn in_other_units(harness: &Harness<'_, App>) -> Vec<String> {
 fn every_number_of_the_window_is_in_the_selected_units() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 12, vec![]);
-    // A model without its series spring, so that the diagnosis has something to say.
+    // The model lacks the series spring, so that the diagnosis has a finding.
     harness.state_mut().session.tune(|m| m.switch(element!("series_compliance"), false));
     press(&mut harness, "Study");
     press(&mut harness, "Compute");
@@ -139,7 +141,7 @@ fn every_number_of_the_window_is_in_the_selected_units() {
     until(&mut harness, "the study", |app| app.session.study.is_some() && app.session.task.is_none());
     until(&mut harness, "forces", |app| app.session.simulated.as_ref().is_some_and(|s| !s.quick));
     harness.set_size(egui::vec2(1280.0, 8000.0));
-    // In SI units the same views state such numbers, so the test would notice them.
+    // With the default SI units, the function finds numbers in these views. Therefore it would also find them below.
     harness.state_mut().view.side = Side::Result;
     harness.run_steps(3);
     assert!(in_other_units(&harness).len() > 20, "{:?}", in_other_units(&harness));
@@ -178,10 +180,12 @@ fn errors_of_one_cycle_have_a_mark_until_the_whole_records_follow() {
     assert_eq!(marks(&harness), 0);
     harness.state_mut().session.tune(|m| m.set(number!("series_stiffness").row(), 0, 2.5e6));
     let tests = harness.state().session.campaign.as_ref().unwrap().tests.len();
-    // The old numbers are not those of the model on screen, and the quick ones are of one cycle.
+    // The previous errors belong to another model. The errors of the quick simulation belong to one cycle of each test.
+    // Both are provisional.
     for is_quick in [false, true] {
         until(&mut harness, "the errors", |app| app.session.simulated.as_ref().is_some_and(|s| s.quick) == is_quick);
-        // List, detail, matrix with its mean, and panel of the model.
+        // The marks are in the list of tests, the details of a test, the error matrix with its mean, and the panel of
+        // the model.
         assert!(marks(&harness) >= tests + 4, "quick {is_quick}: {}", marks(&harness));
     }
     until(&mut harness, "the whole records", |app| !app.session.are_errors_provisional());

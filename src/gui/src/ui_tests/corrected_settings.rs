@@ -47,7 +47,7 @@ fn opened(folder: &Path) -> Harness<'static, App> {
     harness
 }
 
-/// Waits until no task is running and the forces of all tests are those of the present settings.
+/// Waits until no task is running, and until the forces of all tests are computed with the current settings.
 fn computed(harness: &mut Harness<'_, App>) {
     until(harness, "forces of all tests", |app| {
         let session = &app.session;
@@ -135,7 +135,7 @@ fn a_wrong_setting_is_corrected_and_taken_back() {
     computed(&mut harness);
     assert!(current(&harness) == Some(1.0) && !is_old(&harness), "the validation is of these settings again");
 
-    // An empty field means no setting. The name of the test does not count then.
+    // An empty field means that the test has no setting. The name of the test is then ignored.
     correct(&mut harness, "");
     assert_eq!(current(&harness), None);
     harness.key_press_modifiers(Modifiers::COMMAND, Key::Z);
@@ -143,7 +143,7 @@ fn a_wrong_setting_is_corrected_and_taken_back() {
     computed(&mut harness);
     assert_eq!(current(&harness), Some(1.0));
 
-    // The button removes the correction, so that the name of the test counts.
+    // The button removes the correction, so that the setting comes from the name of the test again.
     press(&mut harness, texts(Language::English).setting_as_read);
     computed(&mut harness);
     assert_eq!(current(&harness), Some(0.0));
@@ -180,7 +180,7 @@ fn undo_follows_the_order_of_values_and_settings() {
         computed(&mut harness);
         assert_eq!((gas(&harness), current(&harness)), (value, Some(setting)));
     }
-    // A new change discards the redo steps of both.
+    // A new change discards the redo steps of both the model and the settings.
     press(&mut harness, "Undo");
     press(&mut harness, "Undo");
     computed(&mut harness);
@@ -225,7 +225,7 @@ fn a_correction_is_kept_for_every_verb_and_an_invalid_text_is_not_applied() {
     let read = || load(&[folder.path().to_owned()], &Options::default(), &|_| ()).unwrap();
     let kept = read().records.into_iter().find(|record| record.name == "wrong_0mA").unwrap();
     assert_eq!(kept.setting.map(|of| of.value), Some(1.0));
-    // An undo applies, although the file states the correction.
+    // The undo must take effect although `campaign.toml` contains the correction.
     press(&mut harness, "Undo");
     computed(&mut harness);
     assert_eq!(current(&harness), Some(0.0));

@@ -1,4 +1,4 @@
-//! Tests of what a frame draws, from its shapes: sizes of letters, legends of plots, marks of sliders.
+//! Tests of the shapes that a frame draws: sizes of letters, legends of plots, marks of sliders.
 
 use super::made_up::campaign_of_family;
 use super::*;
@@ -140,7 +140,7 @@ fn no_letter_of_any_view_is_smaller_than_eleven() {
             harness.step();
         }
     }
-    // The read-out at the pointer and the remark of a point that stops are drawn into a plot.
+    // The text at the pointer, and the remark that a dragged point has stopped, are drawn into the plot.
     harness.state_mut().view.language = Language::English;
     harness.state_mut().view.stopped = Some(Stop::Force);
     let plot = harness.query_all(by().role(Role::Figure)).next().unwrap().rect();
@@ -381,7 +381,7 @@ fn a_point_dragged_with_the_mouse_moves_and_says_in_every_language_why_it_stops(
     let moved = forces(&harness);
     assert!(moved[last] > before[last] && moved[..last] == before[..last], "{before:?} {moved:?}");
     assert!(harness.state().view.stopped.is_none());
-    // Far below, the force of the point would pass that of its neighbor.
+    // At a position far below, the force of the point would pass the force of its neighbor, so the point stops.
     harness.hover_at(at[last] + egui::vec2(0.0, 150.0));
     harness.run_steps(2);
     assert_eq!(forces(&harness)[last], before[last - 1]);

@@ -46,7 +46,7 @@ pub fn campaign_of(damper: &Params, folder: &Path, count: usize) {
         };
         let mut state = model.steady_state(&input(0));
         let mut text = String::from("time_s,displacement_mm,velocity_mps,force_N\n");
-        // The first sample is not recorded. Its force is that of a constant velocity, and a reader would report a spike.
+        // The first sample is not recorded. Its force is the steady force at constant velocity, so a reader would report a spike.
         for i in 0..3 * SAMPLES + 1 {
             let (next, output) = step(&model, &state, &input(i), dt);
             state = next;

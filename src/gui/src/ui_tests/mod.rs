@@ -624,8 +624,8 @@ fn a_missing_effect_is_diagnosed_reported_and_taken_over() {
             .as_ref()
             .is_some_and(|s| !s.quick && s.dampers.params().is_on(Element::find(named).unwrap()))
     });
-    // Undo goes back over the fit, the adopted diagnosis, the validation and the tuning by hand; redo goes forth again. Each result is out of
-    // date except for the model from which it was computed.
+    // Undo restores the models before the fit, before the adopted diagnosis, and before the manual tuning. Redo restores them in the
+    // opposite order. Each result is out of date except for the model from which it was computed.
     let improved = params(&harness);
     harness.key_press(Key::F5);
     until(&mut harness, "the fit", |app| app.session.results.fit.is_some() && app.session.task.is_none());

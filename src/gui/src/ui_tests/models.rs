@@ -134,7 +134,8 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     assert_eq!(harness.query_all(by().label(old)).count(), 2, "fit and validation");
     press(&mut harness, "Undo");
     assert!(!says(&harness, old));
-    // An undo of the fit leaves a model that the fit did not find. Without an earlier model there is no undo, so another model comes first.
+    // After an undo of the fit, the model on screen does not come from the fit. Undo needs an earlier model, so another model is opened
+    // first.
     let other = tempfile::tempdir().unwrap();
     harness.state_mut().session.replace(Replacement::File(made_up::model(other.path())));
     harness.step();
@@ -169,7 +170,7 @@ fn a_study_of_another_damper_says_so() {
     assert!(!says(&harness, old) && harness.state().session.model.as_ref().unwrap().is_tuned());
     harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 77.0));
     harness.step();
-    // The plot has the mark as well as the panel, which another panel may hide.
+    // The plot and the panel both have the mark. Another panel may cover the one with the mark.
     let marks = |harness: &Harness<'_, App>| harness.query_all(by().label(old)).count();
     assert_eq!(marks(&harness), 2);
     press(&mut harness, "Tune");
@@ -204,7 +205,7 @@ fn values_tuned_at_a_setting_are_not_lost_by_going_to_another() {
     let (_folders, mut harness) = window_of_family(6);
     harness.state_mut().session.tune(|m| m.set(number!("gas_force").row(), 0, 123.0));
     let tuned = params(&harness);
-    // A reset frees the slider, and the reset can be undone.
+    // After a reset, the slider can move again. The reset can be undone.
     press(&mut harness, "Reset");
     for setting in [0.25, 0.5, 0.75] {
         harness.state_mut().session.move_to(setting);

@@ -18,7 +18,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
     let mut harness = opened(folder.path(), 12, vec![]);
     harness.key_press(Key::F7);
     until(&mut harness, "the diagnosis", |app| app.session.results.diagnosis.is_some());
-    // The validation is of the model before the fit. Its table remains, with the mark of an old result.
+    // The validation belongs to the model before the fit. Its table remains, with the mark of an outdated result.
     harness.key_press(Key::F6);
     until(&mut harness, "the validation", |app| app.session.results.validation.is_some());
     harness.key_press(Key::F5);
@@ -48,7 +48,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
         // The cells of the error matrix end before the margin of the plots.
         let cut = cut_off(&harness, Role::Button, (280.0, panel - 8.0));
         assert!(cut.is_empty(), "{language:?}: {cut:#?}");
-        // So do the buttons of the tables, and every column of the forces at given velocities.
+        // The buttons of the tables, and every column of the forces at given velocities, also end before that margin.
         press(&mut harness, words.tables);
         harness.step();
         let cut = cut_off(&harness, Role::Button, (280.0, panel - 8.0));
@@ -65,7 +65,7 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
     }
 }
 
-/// Returns the texts of the last frame that the panel of the tests cuts off, and those of all panels that break within a word.
+/// Returns texts of the last frame that are cut off by the panel of the tests, or that break within a word in any panel.
 pub(super) fn spoilt(harness: &Harness<'_, App>) -> Vec<String> {
     /// Largest right edge of a text in the panel of the tests, px.
     const PANEL: f32 = 275.0;

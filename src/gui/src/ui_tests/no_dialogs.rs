@@ -33,7 +33,7 @@ fn every_save_and_export_writes_or_says_why_not() {
     let w = crate::words::texts(Language::English);
     press(&mut harness, w.file);
     press(&mut harness, w.save_as);
-    // The name of the opened model is proposed, so the choice would replace that file and says so.
+    // The dialog proposes the name of the opened model. It warns the user that this choice would replace that file.
     until(&mut harness, "the choice", |app| app.view.choosing.is_some());
     assert!(says(&harness, w.is_there_already));
     confirm(&mut harness);
@@ -64,7 +64,7 @@ fn every_save_and_export_writes_or_says_why_not() {
     press(&mut harness, "CSV");
     confirm(&mut harness);
     assert!(folder.path().join("plot.csv").is_file());
-    // What cannot be written is reported.
+    // A path that cannot be written is rejected: the OK button is disabled.
     std::fs::create_dir(folder.path().join("plot.svg")).unwrap();
     press(&mut harness, "Save plot Force over velocity");
     press(&mut harness, "SVG");

@@ -50,7 +50,7 @@ fn what_changed_against_a_good_damper_is_diagnosed_answered_and_reported() {
     assert!(says(&harness, words.changed) && says(&harness, &headline), "{headline}");
     let line = format!("{}  {before} → ", EN.named("gas_force"));
     assert!(harness.query_all(by().label_contains(&line)).next().is_some(), "{line}");
-    // Without the reference, the comparison is of another question.
+    // Without the reference, the diagnosis has another basis, so its result is out of date.
     let old = format!("⚠ {}", words.old_result);
     assert!(!says(&harness, &old));
     let reference = harness.state_mut().session.reference.take();

@@ -26,7 +26,8 @@ fn a_family_shows_the_response_of_its_valve_by_its_numbers_where_no_test_has_ste
     press(&mut harness, "Valve");
     assert!(says(&harness, "Response to a step up: 0 → 1 A") && says(&harness, "Response to a step down: 1 → 0 A"));
     assert!(holds(&harness, "the setting of the valve alone"));
-    // A first-order lag reaches 63 % of a step after one time constant, here 8 ms and 20 ms, and 90 % after 2.3 time constants.
+    // A first-order lag reaches 63 % of a step after one time constant, and 90 % after 2.3 time constants. The time constants are 8 ms and
+    // 20 ms.
     for time in ["8.0", "18.4", "20.0", "46.1"] {
         assert!(says(&harness, time), "{time} ms");
     }
@@ -73,7 +74,7 @@ fn a_family_that_may_supply_energy_is_named_where_it_is_tuned() {
     let file = tempfile::Builder::new().suffix(".toml").tempfile().unwrap();
     let remark = "zero velocity, 0 N at 0 A to 300.0 N at 1 A";
     for (text, is_named) in [(FAMILY.to_owned(), false), (FAMILY.replace("-2400.0, 0.0", "-2400.0, 300.0"), true)] {
-        // Without the results of a fit, the file counts as made by hand.
+        // Without the results of a fit, the window treats the model file as made by hand.
         std::fs::write(file.path(), text.split("[identification]").next().unwrap()).unwrap();
         let mut harness = window(vec![]);
         harness.state_mut().session.open(&[file.path().to_owned()]);

@@ -29,7 +29,8 @@ pub fn save(session: &mut Session, view: &mut View) {
     }
 }
 
-/// Handles the keyboard shortcuts. While a question is open, they have no effect, because an undo behind the question would answer it.
+/// Handles the keyboard shortcuts. While a dialog is open, they have no effect, because an undo could change the model to which the dialog
+/// refers.
 pub fn keys(ui: &Ui, session: &mut Session, view: &mut View) {
     if session.pending.is_some() || view.closing || view.choosing.is_some() {
         return;

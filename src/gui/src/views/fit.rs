@@ -12,8 +12,8 @@ pub fn begin(session: &mut Session) {
     session.replace(over.map_or(Replacement::Fit, Replacement::FitOver));
 }
 
-/// Draws the button that fits a model. If the tests have several values of a setting, the button opens a menu: a fit over each such
-/// setting, and a fit of an ordinary damper.
+/// Draws the button that fits a model. If the tests have several values of a setting, the button opens a menu. The menu offers a fit over
+/// each such setting, and a fit of an ordinary damper.
 pub fn button(ui: &mut Ui, session: &mut Session, can: bool, w: &Words) {
     let settings = session.settings();
     if settings.is_empty() {

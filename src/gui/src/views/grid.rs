@@ -45,7 +45,7 @@ pub fn with_axes<'a>(plot: Plot<'a>, lower: String, left: String, w: &'static Wo
         })
 }
 
-/// Formats the number at a grid line. Lines between two numbers get an empty text, whatever their distance.
+/// Formats the number at a grid line. Lines between two numbers get an empty text, regardless of their distance.
 fn label(mark: &GridMark, step: f64, w: &Words) -> String {
     // The factor 0.99 compensates rounding errors of the step.
     if mark.step_size < 0.99 * step { String::new() } else { number(mark.value, decimals_of(step), w) }

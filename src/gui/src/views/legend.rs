@@ -1,4 +1,4 @@
-//! The legend above a plot. Every entry begins with a piece of what the plot draws: a line, dashes, a dot or a ring.
+//! The legend above a plot. Every entry begins with the mark that the plot draws for it: a line, dashes, a dot or a ring.
 
 use eframe::egui::{self, Color32, Pos2, Rect, RichText, Ui, WidgetInfo};
 

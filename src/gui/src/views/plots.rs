@@ -306,8 +306,8 @@ impl OwnCurve {
     }
 }
 
-/// Returns the color of a setting, from blue at 0 to vermilion at 1. Color-blind readers can distinguish the two, which are of the palette
-/// of Okabe & Ito.
+/// Returns the color of a setting, from blue at 0 to vermilion at 1. Color-blind readers can distinguish these two colors, which come from
+/// the palette of Okabe & Ito.
 fn blend(part: f32) -> Color32 {
     Color32::from_rgb(86, 180, 233).lerp_to_gamma(Color32::from_rgb(213, 94, 0), part)
 }

@@ -25,7 +25,7 @@ use eframe::egui::{self, RichText, Ui};
 pub fn show(ui: &mut Ui, session: &mut Session, view: &mut View) {
     let w = view.words();
     let mut area = egui::ScrollArea::vertical().id_salt("answer").auto_shrink([false, false]);
-    // The user may have scrolled an earlier result, and the new one stands at the top.
+    // A new result is at the top of the panel. The user may have scrolled down, so the panel scrolls back to the top.
     if std::mem::take(&mut view.is_result_new) {
         area = area.vertical_scroll_offset(0.0);
     }
@@ -145,7 +145,7 @@ fn fit(ui: &mut Ui, found: &Fit, format: Format) {
         let line = RichText::new(format!("{}{}{figures}", translate_name(e.name, said), said.colon)).small();
         ui.add(egui::Label::new(if is_open { line.weak() } else { line }).wrap()).on_hover_text(e.name);
     }
-    // The list above has the parameters that the records leave open.
+    // Notes on unidentified parameters are omitted, because the list above already contains these parameters.
     for note in found.further_notes() {
         wrapped(ui, RichText::new(format!("• {}", format.say(note))).weak());
     }

@@ -6,8 +6,8 @@ use crate::views::{View, explain_provisional, hue, percent, test_setting, text_w
 use dashpot_records::{Note, Positive, Record};
 use eframe::egui::{self, Role, Ui, WidgetInfo};
 
-/// Returns whether a note reports damage of a test. Unlike in the command, frozen channels and gaps count, because the command reports them
-/// for the whole campaign.
+/// Returns whether a note reports damage of a test. Frozen channels and gaps are included. The command does not mark them at a test,
+/// because it reports them for the whole campaign.
 fn is_of_damage(note: &Note) -> bool {
     note.is_of_damage() || ["frozen", "gap"].contains(&note.kind)
 }

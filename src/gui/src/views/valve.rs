@@ -56,7 +56,7 @@ fn plot(ui: &mut Ui, id: &'static str, of: &StepResponse, view: &View) {
     // The last number of the lower axis extends beyond the plot, so the plot ends before the edge of the panel.
     let width = ui.available_width() - 14.0;
     let plot = Plot::new(id).height(HEIGHT).width(width).set_margin_fraction(Vec2::splat(0.04));
-    // With the mark of a pure number, the label would be longer than the axis.
+    // The suffix ", -" of a dimensionless quantity is removed, because the label would be longer than the axis.
     let way = said.axis_way.trim_end_matches(", -").to_owned();
     grid::with_axes(plot, said.axis_since_step.to_owned(), way, w).show(ui, |plot| {
         if !of.measured_response.is_empty() {

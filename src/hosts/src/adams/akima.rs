@@ -62,7 +62,8 @@ fn slopes(v: &[f64], f: &[f64]) -> Vec<f64> {
     chords.windows(4).map(of).collect()
 }
 
-/// Returns the index of the last of the increasing velocities `v` at or below `at`, but at most the index of the last but one.
+/// Returns the index of the interval of the increasing velocities `v` that contains `at`. Beyond the ends of `v`, returns the first or the
+/// last interval.
 fn piece(v: &[f64], at: f64) -> usize {
     v.partition_point(|v| *v <= at).min(v.len() - 1).max(1) - 1
 }
@@ -133,8 +134,9 @@ fn tolerance(curve: &Curve) -> [f64; 2] {
     })
 }
 
-/// Computes the largest difference, N, between `target` and the table `curve`, over all interpolations in `readings`. The velocities lie
-/// between the points of the table. Also computes the largest ratio of a difference to the `allowed` one, N, in compression or in rebound.
+/// Computes the largest difference, N, between `target` and the table `curve`, over all interpolations in `readings`. The difference is
+/// evaluated only between the points of the table. Also computes the largest ratio of a difference to the `allowed` one, N, in compression
+/// or in rebound.
 fn worst(curve: &Curve, readings: &[Reading], allowed: [f64; 2], target: &dyn Fn(f64) -> f64) -> Difference {
     let read: Vec<Read> = readings.iter().map(|reading| Read::new(curve, *reading)).collect();
     let mut most = Difference::default();

@@ -3,9 +3,9 @@
 //! The damper has splines for the FV curve, the parallel spring and friction, and two differential equations for the internal mass. A third
 //! equation models presliding friction, which reverses within a short travel.
 //!
-//! The mass is not a PART. A part needs a joint to the tube, and a position in the model. The export does not know this position, and a
-//! wrong one violates the joint. The equations of the mass move it along the line between the damper's markers, as in the kernel. Its
-//! displacement is relative to the moving end, so the initial value 0 holds at any length of the damper.
+//! The mass is not a PART, because a part needs a joint to the tube and a position in the model. The export does not know this position,
+//! and a wrong position would violate the joint. Instead, equations move the mass along the line between the damper's markers, as in the
+//! kernel. The displacement of the mass is relative to the moving end, so the initial value 0 holds at any length of the damper.
 
 use dashpot_core::parameter::Element;
 use dashpot_core::{Input, Model, Params, State, evaluate::force};

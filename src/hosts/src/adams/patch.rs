@@ -213,7 +213,7 @@ fn check_function(
             expression::evaluate(function, &Meaning { markers, speed, spline: &value })
         };
         let (mut power, mut largest, mut factors) = (0.0, 0.0_f64, Vec::new());
-        // With a spline of zeros, the function returns what it adds to its spline.
+        // With a spline of zeros, the function returns only the force that it adds to its spline.
         let nothing = |_: u64, _: f64| Ok(0.0);
         let beside = |speed: f64| expression::evaluate(function, &Meaning { markers, speed, spline: &nothing });
         for speed in spline.x.iter().filter(|x| **x != 0.0) {

@@ -238,7 +238,8 @@ impl Compiled {
     }
 }
 
-/// Adds what an importer needs to compile the sources: instructions, kernel and build description. `compiled` are the files to compile.
+/// Adds the files with which an importer compiles the FMU: instructions, kernel and build description. `compiled` lists the source files to
+/// compile.
 fn add_build_files(
     archive: &mut Archive,
     options: &Options,
@@ -347,7 +348,8 @@ fn needed_of(library: &Path) -> anyhow::Result<Vec<u8>> {
     let object = folder.path().join("kernel.o");
     let compiler = std::env::var_os("CC").unwrap_or("cc".into());
     let mut link = Command::new(&compiler);
-    // The linker adds only what an undefined symbol needs. The symbol `dashpot_step` suffices to add the whole interface.
+    // The linker adds only the objects that an undefined symbol requires. The symbol `dashpot_step` is enough, because it adds the whole
+    // interface.
     link.args(["-r", "-nostdlib", "-Wl,--strip-debug", "-Wl,-u,dashpot_step", "-o"]).arg(&object);
     let ran = link.arg(std::path::absolute(library)?).output()?;
     if !ran.status.success() {

@@ -190,7 +190,7 @@ fn prefix(corner: usize, four: bool) -> String {
     if four { format!("{}.", CORNERS[corner]) } else { String::new() }
 }
 
-/// Variables that every corner has, whatever its damper.
+/// Variables that every corner has, independent of the elements of its damper.
 struct FixedBlock {
     corner: usize,
     four: bool,
@@ -355,7 +355,8 @@ impl FixedBlock {
     }
 }
 
-/// Returns the words for a unit that the FMU does not declare. The description of the variable then states the conversion factor.
+/// Returns `words` if the FMU does not declare the unit, and an empty text otherwise. The description of the variable then states the
+/// conversion factor.
 fn undeclared(unit: &Unit, words: String) -> String {
     if unit.is_declared() { String::new() } else { words }
 }

@@ -60,7 +60,7 @@ class SettingDiagnosis(Diagnosis):
 
     setting: float = field(kw_only=True)
     interpolated: bool = field(kw_only=True)
-    """Whether the model was not measured at this setting. The diagnosis does not judge the interpolation then; validate it."""
+    """Whether the model was not measured at this setting. In this case, the diagnosis does not test the interpolation. A validation tests it."""
 
 
 @dataclass(frozen=True, repr=False)

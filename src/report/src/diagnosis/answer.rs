@@ -37,8 +37,8 @@ pub(super) fn sentence(text: &Sentence, words: &Words) -> String {
     words.fill(words.sentence_end, &[("sentence", &super::capital(said.trim().trim_end_matches('.')))])
 }
 
-/// Explains the verdict. For a named effect, states the rms errors before and after its addition, N. Also states the
-/// closed fraction of the gap between error and noise.
+/// Explains the verdict. For a named effect, the text states the rms errors before and after its addition, N. It also states which fraction
+/// of the gap between error and noise the effect closes.
 fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     let left_out = found.tests.iter().filter(|t| t.left_out).count();
     let (text, before, after) = match (left_out, found.before.left_out_rmse_n, found.after.left_out_rmse_n) {
@@ -63,8 +63,8 @@ fn gap(found: &Diagnosis, words: &Words) -> Option<String> {
     })
 }
 
-/// Rates the model after the diagnosis by its error on the left-out tests, else on all tests, beside their noise. Returns
-/// `None` if the noise or the error is unknown.
+/// Rates the model after the diagnosis by the ratio of its rms error to the noise. Uses the left-out tests, or all tests if none was left
+/// out. Returns `None` if the noise or the error is unknown.
 fn rating(found: &Diagnosis, words: &Words) -> Option<String> {
     let after = &found.after;
     let (text, error, noise) = match (after.left_out_rmse_n, after.left_out_noise_n) {
@@ -72,7 +72,8 @@ fn rating(found: &Diagnosis, words: &Words) -> Option<String> {
         _ => (words.rating_fitted, after.rmse_n, after.noise_n),
     };
     let ratio = error / noise;
-    // A mean hides a test that the model misses. The noise then does not explain the error.
+    // The mean error of all tests can be small even if the error of one test is more than twice its expected error. Noise does not explain
+    // the error of such a test, so the ratio is infinite.
     let by_noise = if found.tests.iter().any(TestOutcome::is_missed) { f64::INFINITY } else { ratio };
     let grade = ratio.is_finite().then(|| grade(by_noise, after.error_percent, true, words))?;
     let values = [("grade", grade), ("error", &digits(error, 3)), ("ratio", &digits(ratio, 2))];

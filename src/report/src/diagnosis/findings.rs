@@ -68,7 +68,7 @@ fn one(place: usize, finding: &Finding, words: &Words) -> Vec<Block> {
         "" => String::new(),
         form => words.fill(words.finding_form, &[("form", words.word(form))]),
     };
-    // The gap on left-out tests says more than the disagreement on the fitted tests.
+    // The error on left-out tests is stronger evidence than the error on fitted tests, so it is stated if it is known.
     let gap = match finding.gap_closed {
         Some(gap) => words.fill(words.finding_gap, &[("gap", &fraction(gap))]),
         None => words.fill(words.finding_disagreement, &[("gap", &fraction(finding.fraction))]),
@@ -223,7 +223,7 @@ mod tests {
                         let said = words.say(&change.sentence()).replace('\u{a0}', " ");
                         let [shown, _] = Cell::with_interval(value, change.low, change.high, unit, words);
                         let shown = words.number(&shown.text).replace('\u{a0}', " ");
-                        // Of a force at a velocity, the unit stands at the end of both forces.
+                        // For a force at a velocity, the sentence states the unit only once, after the second force.
                         assert!(said.contains(&shown), "{said}: {shown}");
                         let before = words.number(&crate::numbers::with_unit(reference, unit)).replace('\u{a0}', " ");
                         let digits = before.split(' ').next().unwrap();

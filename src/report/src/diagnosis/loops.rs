@@ -9,8 +9,8 @@ use dashpot_diagnosis::{Diagnosis, TestOutcome};
 /// Largest number of fitted tests, and of left-out tests, whose loops are shown.
 const SHOWN: usize = 3;
 
-/// Builds one section with the loops of the left-out test of the largest gap between error and noise, and one with those of other tests.
-/// The brief print includes only the first section. If no test was left out, the first section shows a fitted test.
+/// Builds two sections: the loops of the test with the largest gap between error and noise, and the loops of further tests. The brief print
+/// includes only the first section. The first section shows a left-out test, or a fitted test if no test was left out.
 pub fn sections(found: &Diagnosis, words: &Words) -> Vec<Section> {
     let names = before_after::names(&found.tests, words);
     let of = |held_out: bool| worst(&found.tests, held_out).into_iter().take(SHOWN);

@@ -94,7 +94,7 @@ pub fn over_both(damper: &Definition, validation: &Validation, words: &Words) ->
     draw_surface(damper, &line, &dots, words)
 }
 
-/// Draws a surface from its lines and dots at a setting: velocity, mm/s, setting, and force, N.
+/// Draws a surface. At a setting, `line` and `dots` return the points: velocity, mm/s, setting, and force, N.
 fn draw_surface(
     damper: &Definition,
     line: &dyn Fn(f64) -> Vec<[f64; 3]>,
@@ -110,7 +110,7 @@ fn draw_surface(
     settings.sort_by(f64::total_cmp);
     let lines: Vec<Vec<[f64; 3]>> = settings.iter().map(|setting| line(*setting)).filter(|of| of.len() > 1).collect();
     let count = lines.iter().map(Vec::len).min()?;
-    // A line of constant velocity crosses the lines of all settings at the same of their points.
+    // All lines of constant setting have the same velocities. A line of constant velocity therefore joins their points of equal index.
     let across = |k: usize| lines.iter().map(|of| of[k * (count - 1) / (MESH[0] - 1)]).collect();
     let mesh = lines.iter().cloned().chain((0..MESH[0]).map(across)).collect();
     let mut series = vec![SpaceSeries { role: Role::Shadow, name: String::new(), lines: mesh, dots: Vec::new() }];

@@ -34,8 +34,8 @@ pub fn validated(damper: &Definition, validation: &Validation, words: &Words) ->
     Table { caption: words.family_table.to_owned(), columns, rows, sortable: false }
 }
 
-/// Describes the error at the setting that the model predicts worst from the other settings. If it is much larger than
-/// that of a fit at the setting, adds advice.
+/// Describes the error at the setting that the model predicts worst from the other settings. Adds advice if this error
+/// is much larger than the error of a fit at this setting.
 pub fn between(fit: &FamilyFit, words: &Words) -> String {
     let Some(worst) = fit.worst_left_out() else { return words.family_between_unknown.to_owned() };
     let at = words.number(&setting_in_words(worst.setting, &fit.setting.unit));

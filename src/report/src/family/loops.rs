@@ -53,8 +53,8 @@ pub fn section(damper: &Definition, validation: &Validation, tests: &[Compared<'
     Some(Section::new("setting-loops", words.family_loops_section, blocks))
 }
 
-/// Selects the motion that most settings have, the fastest of several, and returns the index of its test at each setting. Returns `None`
-/// without settings.
+/// Selects the motion that was tested at most settings, and returns the index of its test at each setting. If several motions were tested
+/// equally often, selects the fastest. Returns `None` without settings.
 fn common_motion(validation: &Validation) -> Option<Vec<Option<usize>>> {
     let alike = |a: usize, b: usize| {
         let near = |a: f64, b: f64| (a - b).abs() <= SAME_MOTION * a.abs().max(b.abs());
@@ -88,7 +88,7 @@ fn together(
         common.iter().enumerate().filter_map(|(k, place)| Some((k, tests.get((*place)?)?))).collect();
     let lines = |compared: &Compared<'_>, force: &[f64]| -> Vec<Vec<[f64; 2]>> {
         let x = over(compared);
-        // The loops of one test coincide, so one loop is enough.
+        // The cycles of one test coincide, so the figure shows only the last one.
         let last = of_test::shown(compared).pop();
         last.into_iter().map(|range| range.map(|i| [1e3 * x[i], force[i]]).collect()).collect()
     };

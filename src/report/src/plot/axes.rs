@@ -206,7 +206,7 @@ impl Plane {
         let mark = |s: &Series| if matches!(s.marks, Marks::Dots | Marks::LargeDots) { Mark::Dot } else { Mark::Line };
         let label = |k: usize, series: &Series| names.get(k).map_or(series.label, String::as_str).to_owned();
         let labels: Vec<String> = self.series.iter().enumerate().map(|(k, series)| label(k, series)).collect();
-        // A series with an empty name shares the legend entry of another series, so it gets no entry of its own.
+        // A series with an empty name shares the legend entry of another series, so it gets no separate entry.
         let named = self.series.iter().zip(&labels).filter(|(_, label)| names.is_empty() || !label.is_empty());
         let legend: Vec<_> = named.map(|(series, label)| (series.role, label.as_str(), mark(series))).collect();
         heading(&mut svg, &self.title, left, &legend);
@@ -276,12 +276,12 @@ const ROW: f64 = 16.0;
 
 /// Draws the title and, below the title, the legend: a mark and a name for each series, all in one font size.
 ///
-/// A legend that is too wide for one line has several, and the figure grows upward by them. The last line is at the same coordinates in all
-/// figures. A title that is too wide gets a smaller font.
+/// A legend that is too wide for one line is divided into several lines, and the figure becomes higher at its top. The last line is at the
+/// same coordinates in all figures. A title that is too wide gets a smaller font.
 pub fn heading(svg: &mut Svg, title: &str, left: f64, legend: &[(Role, &str, Mark)]) {
     let room = svg.width() - left - 4.0;
     let wide = |label: &str, size: f64| 25.0 + text_width(label, size);
-    // Only a single name that is wider than the figure reduces the font size, then of all names.
+    // The legend has a smaller font only if a single name is wider than the figure. All names then have the same smaller font.
     let longest = legend.iter().map(|(_, label, _)| text_width(label, LABEL)).fold(0.0, f64::max);
     let size = LABEL * ((room - 25.0) / longest).min(1.0);
     let mut rows: Vec<Vec<(f64, &(Role, &str, Mark))>> = vec![Vec::new()];

@@ -128,8 +128,8 @@ pub fn page_css() -> String {
     css
 }
 
-/// Returns the fill of a heat-map cell for an error in percent, and whether black text is readable on it. Otherwise the text is white. One
-/// hue runs from pale to deep, logarithmic from 0.5 % to 50 %.
+/// Returns the fill of a heat-map cell for an error in percent, and whether the text in the cell is black (`true`) or white. The color has
+/// one hue and becomes deeper with the logarithm of the error from 0.5 % to 50 %.
 pub fn heat(percent: f64) -> (String, bool) {
     const PALE: [f64; 3] = [253.0, 244.0, 232.0];
     const MIDDLE: [f64; 3] = [240.0, 140.0, 70.0];

@@ -6,7 +6,7 @@ const THE: &str = "‹le›";
 /// Marker of the preposition de with a definite article: du, de la or de l’.
 const OF_THE: &str = "‹de›";
 
-/// First nouns of names of effects that are feminine.
+/// Feminine nouns with which names of effects begin.
 const FEMININE: &[&str] = &[
     "articulation",
     "baisse",
@@ -32,7 +32,7 @@ fn first_noun(name: &str) -> &str {
     name.split(' ').next().unwrap_or(name)
 }
 
-/// Returns the definite article of a name, with the space after it if there is one. Every `h` of these names is mute.
+/// Returns the definite article of a name, with a space after le and la. Every `h` at the beginning of these names is mute.
 fn article(name: &str) -> &'static str {
     match name.chars().next() {
         Some('a' | 'e' | 'é' | 'h' | 'i' | 'o' | 'u') => "l’",
@@ -65,7 +65,7 @@ mod tests {
     use dashpot_core::parameter::Element;
     use dashpot_messages::Sentence;
 
-    /// First nouns of names of effects that are masculine.
+    /// Masculine nouns with which names of effects begin.
     const MASCULINE: &[&str] = &[
         "air",
         "amortissement",

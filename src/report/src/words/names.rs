@@ -62,8 +62,8 @@ impl Words {
         !OTHER.contains(&place) && is_identifier(text) && self.catalog.text(&id("name-", text)).is_some()
     }
 
-    /// Replaces identifiers between [`MARK`]s by names. At its first occurrence, an identifier follows its name in brackets. Brackets after
-    /// the identifier are merged with these brackets: "gas force (gas_force, 97 % sure)".
+    /// Replaces identifiers between [`MARK`]s by names. The first occurrence of a name is followed by its identifier in brackets. If the
+    /// text continues with brackets of its own, both are merged: "gas force (gas_force, 97 % sure)".
     pub(super) fn with_names(&self, marked: &str) -> String {
         let mut pieces = marked.split(MARK);
         let mut text = pieces.next().unwrap_or("").to_owned();
@@ -170,7 +170,7 @@ pub(super) mod tests {
 
     #[test]
     fn meanings_keep_their_symbols() {
-        // A word is a symbol if it contains an underscore, a power or a bar.
+        // A word counts as a symbol if it contains an underscore, a power or a vertical bar.
         let symbols = |text: &str| -> BTreeSet<String> {
             text.split([' ', ',', ';', ':', '，', '；', '：', '、', '（', '）', '(', ')'])
                 .filter(|word| word.contains(['_', '^', '|']))

@@ -5,7 +5,7 @@ use super::Words;
 use dashpot_messages::{Kept, Locale, Restorer, Sentence, is_number, word_id};
 use std::sync::LazyLock;
 
-/// Restorer of the sentences that a model file contains in English, so that they can be translated.
+/// Finder of the messages of English sentences that a model file contains, so that the sentences can be translated.
 static KEPT: LazyLock<Restorer> = LazyLock::new(|| {
     let crates = [dashpot_records::templates(), dashpot_identification::templates(), dashpot_diagnosis::templates()];
     Restorer::new(crates.concat())
@@ -48,8 +48,8 @@ impl Locale for Marked<'_> {
 }
 
 impl Words {
-    /// Formats a sentence in this language, with [`VALUE`] on either side of its numbers and units. A program that shows other units finds
-    /// the numbers to restate there, and leaves names and fixed words alone.
+    /// Formats a sentence in this language, with [`VALUE`] before and after its numbers and units. A program that shows other units
+    /// converts only these numbers and does not change names and fixed words.
     pub fn say_with_marks(&self, sentence: &Sentence) -> String {
         self.with_names(&sentence.to_text(&Marked(self)))
     }
@@ -163,7 +163,8 @@ pub(super) mod tests {
         "autres",
     ];
 
-    /// Messages whose counts are two or more wherever they are used, or whose only number before such a noun is no count.
+    /// Messages that need no text for a count of one. Their counts are always at least two, or their only number before such a noun is not
+    /// a count.
     const SEVERAL: &[&str] = &[
         "records-at-speeds",
         "records-at-settings",
@@ -177,7 +178,7 @@ pub(super) mod tests {
         "identification-family-too-many",
     ];
 
-    /// Words before a total. A total of one has a text of its own where it can occur.
+    /// Words between a count and a total, such as "1 of 3". Messages with a total of one have a separate text where this can occur.
     const OF: &[&str] = &["of", "von", "des", "der", "sur"];
 
     #[test]
@@ -197,7 +198,7 @@ pub(super) mod tests {
         };
         assert!(is_wrong("in all 1 tests") && is_wrong("(1 Dateien)") && is_wrong("1 autres") && !is_wrong("11 tests"));
         let mut wrong = Vec::new();
-        // The texts of the diagnosis are those of another crate, with tests of its own.
+        // The texts of the diagnosis come from another crate, which has separate tests for them.
         for template in templates().into_iter().filter(|template| !template.id().starts_with("diagnosis-")) {
             let ones = template.places().fold(Sentence::from(template), |sentence, place| sentence.with(place, "1"));
             let texts = [&*crate::words::EN, &crate::words::DE, &crate::words::FR].map(|words| ones.to_text(words));

@@ -44,7 +44,8 @@ impl Sine {
     }
 }
 
-/// Returns the motions in a situation that the host resolves: their phase advances by at most 0.5 rad in a step of the host.
+/// Returns the motions in a situation that the host resolves. In a step of the host, the phase of such a motion advances by at most 0.5
+/// rad.
 pub(super) fn motions(situation: Situation, host: Host) -> impl Iterator<Item = Sine> {
     let all = AMPLITUDES.iter().flat_map(|amplitude| SPEEDS.map(|speed| (*amplitude, speed)));
     let is_usual = situation == Situation::REFERENCE;

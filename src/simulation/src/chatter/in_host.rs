@@ -73,7 +73,8 @@ pub fn chatter(params: &Params, host: Host) -> Result<Chatter, Fault> {
         .filter(|(_, left)| *left < (1.0 - ITS_DOING) * gain)
         .or_else(|| {
             let turning = turning.filter(|_| gain < RINGS)?;
-            // Without the series path there is no internal mass, so a comparison without the series path would be meaningless.
+            // Disabling the series path also removes the internal mass. So a loop without the series path does not show which element
+            // causes the chatter.
             let on = Element::all().filter(|e| params.is_on(*e) && *e != element!("series_compliance"));
             let is_quiet = |element: &Element| {
                 let mut less = *params;

@@ -49,14 +49,14 @@ pub struct CarValue {
 
 /// Names, units and bounds of the numbers of a vehicle, in the order of files and reports.
 ///
-/// The bounds include a model car of 1 kg and a haul truck of 600 t with margins. Anti-roll bars and the roll arm may be missing, so theirs
-/// begin at 0.
+/// The bounds include a model car of 1 kg and a haul truck of 600 t with margins. A vehicle may have no anti-roll bars and no roll arm, so
+/// the lower bounds of these numbers are 0.
 ///
 /// Test: `numbers_of_no_vehicle_are_rejected_with_their_bounds`.
 const ROWS: [(&str, &str, (f64, f64)); 17] = [
     ("sprung_mass", "kg", (0.1, 1e6)),
     ("unsprung_mass", "kg", (1e-3, 1e5)),
-    // Inertias are those of the masses at a radius of gyration of 1 cm to 10 m.
+    // The bounds of an inertia are the bounds of the sprung mass times the square of a radius of gyration, 1 cm to 10 m.
     ("roll_inertia", "kg m²", (1e-5, 1e8)),
     ("pitch_inertia", "kg m²", (1e-5, 1e8)),
     ("yaw_inertia", "kg m²", (1e-5, 1e8)),
@@ -72,9 +72,9 @@ const ROWS: [(&str, &str, (f64, f64)); 17] = [
     ("tyre", "N/m", (0.1, 1e9)),
     // The cornering stiffness is 5 to 60 times the wheel load, N/rad, and the bounds leave a factor of 10.
     ("cornering", "N/rad", (0.1, 1e9)),
-    // Ice has 0.05, and the slicks of dragsters reach 5.
+    // The friction coefficient is 0.05 on ice and reaches 5 with the slicks of dragsters.
     ("grip", "-", (1e-3, 10.0)),
-    // A pushrod rarely leaves 0.3 to 2.
+    // The motion ratio of a suspension with pushrods is rarely outside 0.3 to 2.
     ("motion_ratio", "-", (0.01, 10.0)),
 ];
 

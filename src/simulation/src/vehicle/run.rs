@@ -62,8 +62,8 @@ pub enum VehicleError {
     Unstable(f64, TooFast),
 }
 
-/// Four dampers behind the interface of a simulator. At each step, the interface receives a motion and returns a force. Extension and
-/// tension are positive.
+/// Four dampers as a simulator calls them. At each step, they receive their motion and return their force. Extension and tension are
+/// positive.
 pub trait Dampers {
     /// Sets all dampers to equilibrium at displacement 0. Returns their static forces, N.
     fn rest(&mut self) -> [f64; 4];

@@ -6,7 +6,7 @@ use serde_json::Value;
 use std::path::Path;
 
 /// Limits of the mean error in percent of each test's largest force. [`LARGE_STROKES`] applies to the tests of each
-/// amplitude from 15 mm up, [`ONE_MILLIMETRE`] to those of 1 mm, [`SLOW`] to slow tests.
+/// amplitude from 15 mm up. [`ONE_MILLIMETRE`] applies to the tests of 1 mm, and [`SLOW`] to slow tests.
 const LARGE_STROKES: f64 = 1.5;
 const ONE_MILLIMETRE: f64 = 5.0;
 const SLOW: f64 = 10.0;

@@ -1,5 +1,5 @@
-//! Tests of numbers that no damper has, in every option and in every file that takes numbers. Each is rejected in a
-//! sentence that names the option or the entry.
+//! Tests of numbers that are impossible for any damper, in every option and in every file that accepts numbers. Each
+//! number must be rejected in a sentence that names the option or the entry.
 
 use dashpot_tests::cli::{Ran, campaign_folder, done, run};
 use std::path::Path;
@@ -28,7 +28,8 @@ const NUMBERS: [&str; 17] = [
 /// Placeholders in `--help` of values that contain numbers after a name.
 const NAMED_NUMBERS: [&str; 2] = ["NAME[=SEVERITY]", "NAME=LENGTH[,PATH]"];
 
-/// Placeholders in `--help` of values without numbers, in addition to those of files, which have a point.
+/// Placeholders in `--help` of values without numbers. Placeholders of files are recognized by their point and not
+/// listed.
 const TEXTS: [&str; 20] = [
     "rebound|compression",
     "force|motion",
@@ -164,7 +165,7 @@ fn subcommands(folder: &Path, words: &[&str]) -> Vec<String> {
     listed.map(name).collect()
 }
 
-/// Checks that a run is a sensible result or a rejection with lines of a readable length.
+/// Checks that no line of the output of a run is longer than [`LONGEST`].
 fn check_lines(args: &[&str], ran: &Ran) {
     for line in ran.out.lines().chain(ran.err.lines()) {
         assert!(line.chars().count() <= LONGEST, "{args:?}: a line of {} characters: {line}", line.chars().count());
@@ -265,10 +266,11 @@ fn a_setting_as_an_argument_is_bounded_too() {
     }
 }
 
-/// A file with one number, `{}`, and the arguments of a verb that reads it. The last text is in every message.
+/// A test of a file: its name, its text with the placeholder `{}` of a number, and the arguments of a verb that reads
+/// it. The last element is a text that every message must contain.
 type File = (&'static str, &'static str, &'static [&'static str], &'static str);
 
-/// Tries the numbers in one place of a file.
+/// Tries the numbers of [`ABSURD`] at the placeholder of a file.
 fn try_file(folder: &Path, (file, text, args, named): File) {
     for number in ABSURD {
         std::fs::write(folder.join(file), text.replace("{}", number)).unwrap();

@@ -20,9 +20,11 @@ fn two_changes_are_found_in_three_tests() {
     write_campaign(&dir.join("reference"), [3000.0, 1000.0, -150.0]);
     done(dir, &["fit", "reference", "-o", "m.toml", "--model", "fv", "--positive", "rebound"]);
     let campaigns = [
-        // The first of two changes leaves most of the residual, so alone it is hardly more probable than none.
+        // The first of the two changes alone explains only a small part of the residual, so it is hardly more probable
+        // than no change.
         ("two", [2000.0, 1000.0, 0.0], vec!["gas_force", "rebound_curve"]),
-        // Changes of both sides are those of each side, not of both sides together and of one.
+        // If both sides of the curve change, the diagnosis must report one change of each side. It must not report a
+        // change of the whole curve and one of a single side.
         ("three", [1000.0, 1150.0, 0.0], vec!["compression_curve", "gas_force", "rebound_curve"]),
     ];
     for (name, damper, wanted) in campaigns {

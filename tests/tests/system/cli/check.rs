@@ -23,8 +23,8 @@ fn checked(dir: &Path, more: &[&str]) -> serde_json::Value {
 fn steep_friction_is_named_and_its_gain_is_that_of_the_formula() {
     let folder = steep();
     let found = checked(folder.path(), &["--host-step", "0.001", "--wheel-mass", "40"]);
-    // The gain is c h/m with the host step h, s, and the wheel mass m, kg. c, N s/m, is the derivative of friction and
-    // FV curve with respect to velocity at standstill.
+    // The gain is c h/m, with the host step h, s, and the wheel mass m, kg. The damping c, N s/m, is the derivative of
+    // friction and FV curve with respect to velocity at standstill.
     let slope = 40.0 * 5000.0 + 0.5 * (900.0 + 1500.0);
     assert!((number(&found, "gain") / (slope * 1e-3 / 40.0) - 1.0).abs() < 0.05, "{found}");
     assert!(found["element"] == "coulomb_friction" && found["chatters"] == true && found["swings"] == true, "{found}");
@@ -158,7 +158,8 @@ fn a_family_that_may_supply_energy_is_named_with_the_number() {
             assert!(number.is_some_and(|number| said.contains(number)), "{name}: {said}");
         }
         assert_eq!(read.err.contains("may do work"), number.is_some(), "{name}: {}", read.err);
-        // The check has the note once, on standard output.
+        // The note appears only on standard output, so the reader of the model file must not repeat it on standard
+        // error.
         assert!(!run(dir, &["check", &file]).err.contains("may do work"), "{name}");
     }
 }

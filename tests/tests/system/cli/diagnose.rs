@@ -173,7 +173,7 @@ fn the_json_is_what_scripts_were_promised() {
     assert!(first.ends_with("_friction"), "{first}");
     assert!(number(&found["after"], "rmse_n") < number(&found["before"], "rmse_n"));
 
-    // With `--json -`, standard output is pure JSON. Its left-out tests are those of `--hold-out`.
+    // With `--json -`, standard output is pure JSON. The left-out tests in it are the tests that `--hold-out` selects.
     let out = done(dir, &["diagnose", "plain.toml", "records", "--json", "-", "--hold-out", "a15*,a01mm_v0052*"]);
     let found: Value = serde_json::from_str(&out).unwrap();
     assert_contract(&found);
@@ -443,7 +443,7 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(ran.code, Some(0), "{}", ran.err);
     let told = ran.out;
     assert!(told.contains("Compared with a:") && told.contains("  b: ") && told.contains("  c: "), "{told}");
-    // The terminal has the answers: at most five lines a group, and notes that do not grow with the number of groups.
+    // The terminal shows the results with at most five lines for each group. The number of notes must not grow with the number of groups.
     let of_groups = told.lines().skip_while(|line| !line.starts_with("Compared with"));
     let answers: Vec<&str> = of_groups.take_while(|line| !line.starts_with("report:")).skip(1).collect();
     let begins = |line: &&&str| line.starts_with("  ") && !line.starts_with("   ");
@@ -518,7 +518,7 @@ fn groups_are_compared_with_one_reference() {
     assert_eq!(changed, [false, true, false]);
     let page = std::fs::read_to_string(dir.join("h.html")).unwrap();
     assert!(page.contains("d, against c"));
-    // The first row of a changed parameter is that of the preceding group, with the value before the change.
+    // The first row of a changed parameter belongs to the preceding group, and contains the value before the change.
     let book = excel::sheets(&dir.join("h.xlsx"));
     let before = excel::column(excel::sheet(&book, "Numbers that changed"), "group");
     assert_eq!(before.first().map(ToString::to_string).as_deref(), Some("b"), "{before:?}");

@@ -223,7 +223,7 @@ fn a_family_is_diagnosed_at_each_of_its_settings() {
     assert_eq!(json(&dir.join("a.json"))["settings"].as_array().unwrap().len(), 2);
 }
 
-/// Checks what is said of a setting between two settings of the model, and outside of them.
+/// Checks the messages about a setting between two settings of the model, and about a setting outside of the grid.
 #[test]
 fn an_interpolated_setting_is_called_interpolated() {
     let folder = tempfile::tempdir().unwrap();
@@ -233,8 +233,8 @@ fn an_interpolated_setting_is_called_interpolated() {
     assert!(at("0.9").contains("0.9 lies between the settings 0.6 and 1.2"), "{}", at("0.9"));
     assert!(!at("0.6").contains("interpolated"), "{}", at("0.6"));
     assert!(at("600").contains("600 lies outside those of family.toml, 0 to 1.2: check its unit"), "{}", at("600"));
-    // The damper between two settings is stronger than the model's. The label of such a test is not doubted, and the diagnosis does not
-    // acquit the interpolation.
+    // The damper at a setting between two settings is stronger than the interpolated model. The validation must not doubt the setting of
+    // these tests. The diagnosis must state that its numbers there are interpolated.
     let mut strong = damper().params_at(0.9);
     let forces: Vec<f64> = strong.list(list!("fv_force")).iter().map(|force| 1.25 * force).collect();
     strong.set_list(list!("fv_force"), &forces).unwrap();

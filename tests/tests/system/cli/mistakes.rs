@@ -149,7 +149,7 @@ fn one_spoilt_test_is_named_and_left_out() {
         let report = std::fs::read_to_string(dir.join("v.html")).unwrap();
         assert!(report.contains(&format!("left out: data/{victim}")), "{name}");
     }
-    // `fit` and `diagnose` report the unusable test, too. `diagnose` does so for the reference.
+    // `fit` and `diagnose` also report the unusable test. `diagnose` also reports one in the reference.
     let told = run(dir, &["fit", "data", "-o", "n.toml", "--model", "fv", "--json", "f.json"]);
     assert!(told.err.contains("left out: data/a15"), "{}", told.err);
     assert_eq!(json(&dir.join("f.json"))["unusable"][0]["is_test"], true);

@@ -1,5 +1,5 @@
-//! One sign convention for the campaigns of one rig. A group or a reference with clear forces decides for a campaign whose
-//! forces hardly show the sign.
+//! Tests that the campaigns of one rig get one sign convention. If the forces of a campaign hardly show the sign, a group or a reference
+//! with clear forces determines it.
 
 use dashpot_tests::cli::{done, run, write_sines};
 
@@ -8,7 +8,7 @@ fn the_surest_campaign_decides_for_a_reference_and_for_groups() {
     let folder = tempfile::tempdir().unwrap();
     let dir = folder.path();
     write_sines(&dir.join("fleet/clear"), -1.0, |v| if v > 0.0 { 3000.0 * v - 150.0 } else { 1000.0 * v - 150.0 });
-    // Without gas and with slightly more force in compression, this campaign alone would be read in the other direction.
+    // Without gas and with slightly more force in compression, this campaign alone would be read with the opposite direction positive.
     write_sines(&dir.join("fleet/unsure"), -1.0, |v| if v > 0.0 { 1000.0 * v } else { 1150.0 * v });
     done(dir, &["fit", "fleet/clear", "-o", "m.toml", "--model", "fv"]);
     let alone = run(dir, &["fit", "fleet/unsure", "-o", "u.toml", "--model", "fv"]);

@@ -70,15 +70,15 @@ fn every_element() {
     within_one_percent(&fmus);
 }
 
-/// Checks a damper whose setting moves during the run. Hosts keep the setting constant between two points at which they set it, and so does
-/// the co-simulation that the test compares with.
+/// Checks a damper whose setting moves during the run. Hosts keep the setting constant between two points at which they set it. The
+/// co-simulation with which the test compares also keeps the setting constant between these points.
 #[test]
 fn a_setting_that_moves() {
     if !has_python() {
         return;
     }
     let model = std::fs::read_to_string(root().join("examples/semi_active.toml")).expect("a model file");
-    // In model exchange the input is the command behind the dead time.
+    // In model exchange, the input of the FMU is the command after the dead time. The model of the comparison therefore has no dead time.
     let text = model.replace("setting_dead_time = 0.003", "setting_dead_time = 0.0");
     assert_ne!(text, model);
     let direct = text.replace("setting_time_", "# setting_time_").replace("setting_hysteresis", "# setting_hysteresis");

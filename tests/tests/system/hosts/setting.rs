@@ -116,8 +116,8 @@ fn model_exchange_and_derivatives_of_a_moving_setting() {
         host.arg(root().join("tests/hosts/setting_exchange.py")).arg(shared()).arg(&model);
         let printed = succeed(host.args([dead_time, "0", "1600"]).args(fmus));
         println!("{name}\n{printed}");
-        // Derivatives with respect to the setting are not 0 inside the grid and at its ends, unless the rate limit acts. Behind the dead time
-        // of 3 ms, the command of a step of 1 ms has no effect in this step.
+        // The derivatives with respect to the setting are not 0 inside the grid and at its ends, unless the rate limit acts. With a dead
+        // time of 3 ms, the command of a step of 1 ms has no effect within this step.
         let found = numbers(&printed, "co-simulation", ": ");
         assert!(
             found.len() == 2 && found.iter().all(|n| if name == "late" { *n == 0.0 } else { *n >= 4.0 }),

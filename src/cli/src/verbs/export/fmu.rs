@@ -200,8 +200,8 @@ impl Dampers {
     }
 }
 
-/// Returns the static library from which the binary of this platform is compiled, or `None` if the embedded runtimes
-/// serve. A command without an embedded runtime compiles one on this computer, if possible.
+/// Returns the static library from which the binary of this platform is compiled, or `None` if an embedded runtime is used. A command
+/// without an embedded runtime compiles one on this computer, if possible.
 fn library_to_compile(args: &Args) -> anyhow::Result<Option<PathBuf>> {
     let holds_one = runtimes::compiled("linux64", "dashpot_damper.so").is_some();
     let compiles = args.from_source || !holds_one && library(None).is_ok();

@@ -152,7 +152,8 @@ fn curve(mut rows: Vec<Row>, rises: bool) -> anyhow::Result<Curve> {
     }
     let mut curve = Curve::default();
     for (i, ([v, f], own)) in rows.iter().enumerate() {
-        // Line number for error messages. Of this row and the row before it in the curve, the one that comes later in the file counts.
+        // Line number for error messages. An error concerns two neighboring rows of the curve, and the message states the row that comes
+        // later in the file.
         let line = if falls && i > 0 { rows[i - 1].1 } else { *own };
         if let Some(before) = curve.velocities.last().filter(|before| *before >= v) {
             let [v, before] = [*v, *before].map(format_number);

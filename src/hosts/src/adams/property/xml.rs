@@ -148,8 +148,8 @@ impl<'a> File<'a> {
 
     /// Reads the FV curve, and whether it is interpolated linearly.
     fn curve(&self) -> anyhow::Result<(Curve, bool)> {
-        // Files contain `dampingMethod` or `method`. If a file has both, `dampingMethod` counts, because it is the newer
-        // one.
+        // Files contain the attribute `dampingMethod` or the older attribute `method`. If a file has both, `dampingMethod` takes
+        // precedence.
         let method = self.damper.attribute("dampingMethod").or(self.damper.attribute("method"));
         match method.unwrap_or("non_linear") {
             "linear" => {

@@ -411,8 +411,8 @@ def _picture(q: Quantity, dates: Numbers, order: Places, chart: Control | None, 
 DPI = 90
 #: Size of the tick labels, points, and the width of a digit and the height of a line at this size, px.
 _LABEL, _DIGIT, _LINE = 9, 7.2, 15.0
-#: Largest ratio of the range of the values to their median at which the picture shows differences from a common value. Labels of the values would
-#: be equal except for their last digits.
+#: Largest ratio of the range of the values to their median at which the picture shows differences from a common value. Otherwise, the labels
+#: of the ticks would differ only in their last digits.
 _FINE = 1e-3
 
 

@@ -31,7 +31,7 @@ def settings_in(records: Iterable[Record], name: str | None = None) -> list[floa
 
 
 def has(settings: Iterable[float], value: float) -> bool:
-    """Returns whether a setting is among others, within the scatter of one setting."""
+    """Returns whether ``value`` is the same setting as one of ``settings``, apart from scatter."""
     return any(_native.is_same_setting(one, value) for one in settings)
 
 
@@ -93,7 +93,7 @@ def diagnosed(found: FamilyDiagnosis) -> tuple[dict[str, Any], dict[float, dict[
     }
     kinds: dict[str, tuple[str, ...]] = {"effect": ("effect", "effect_form", "effect_confidence")}
     if not found.changes:
-        # A suspect at one setting must not hide what changed at others.
+        # A suspect at one setting is omitted if parameters changed, because the changes at other settings are the result.
         kinds["suspect"] = ("suspect", "suspect_confidence")
     for kind, keys in kinds.items():
         named = [one for one in each.values() if one.get(kind)]
@@ -123,7 +123,8 @@ _IN_UNIT_OF_SETTING = {"setting_hysteresis": "", "setting_rate_up": "/s", "setti
 class FleetSettings:
     """Settings at which the dampers of a fleet were measured, and the parameters that depend on the setting in any damper.
 
-    A parameter that one damper shares over its settings, and another does not, has a value at each setting in both.
+    A parameter may be common to all settings in one damper and depend on the setting in another. It then has a value at each setting in
+    both dampers.
     """
 
     name: str = ""
@@ -132,7 +133,7 @@ class FleetSettings:
     _counts: Counter[float] = field(default_factory=Counter)
 
     def take(self, row: Mapping[str, Any]) -> None:
-        """Adds the settings and parameters of a row. The first damper with settings decides about the unit."""
+        """Adds the settings and parameters of a row. The first damper with settings determines name and unit of the fleet's setting."""
         settings = row["settings"] or ()
         if settings and not self.name:
             self.name, self.unit = row["setting"], row["setting_unit"] or ""
@@ -154,7 +155,7 @@ class FleetSettings:
         return self.own(row, value) if value is not None and name in _IN_UNIT_OF_SETTING else value
 
     def values(self) -> list[float]:
-        """Returns the settings of the fleet, increasing. Settings within the scatter of one setting are one, with its most frequent value."""
+        """Returns the settings of the fleet, increasing. Values that differ only by scatter count as one setting, with the most frequent value."""
         out: list[float] = []
         for value, _ in sorted(self._counts.items(), key=lambda pair: (-pair[1], pair[0])):
             if not has(out, value):
@@ -167,7 +168,7 @@ class FleetSettings:
 
 
 def place_of(settings: Sequence[float], value: float) -> float | None:
-    """Returns the setting of the fleet that a value is, or None if it is none of them."""
+    """Returns the setting of the fleet that is nearest to ``value`` and equal apart from scatter, or None without such a setting."""
     near = [one for one in settings if _native.is_same_setting(one, value)]
     return min(near, key=lambda one: abs(one - value)) if near else None
 
