@@ -29,7 +29,7 @@ pub(crate) fn reject(records: &[Record], options: &Options) -> Result<(), Record
     // If most tests have an implausible current, the unit of the whole logger is wrong. The few small currents are then
     // those of a valve without current.
     let is_of_few = large.len() <= small.len();
-    // If the user names another setting than the current, values called a current are none.
+    // If the user states that the setting is another quantity than a current, a column named current is not a current.
     let is_current = options.settings.name.as_deref().is_none_or(|name| name == "current");
     let is_questioned = is_current && !insisted(Channel::Current);
     if largest > MOST_CURRENT && usual > 0.0 && is_of_few && is_questioned {

@@ -7,8 +7,8 @@ use crate::tuning::deviating_tests::{AGREE, AS_LONG, OF_SCATTER};
 use crate::tuning::load_cell::OFFSET;
 use std::collections::BTreeMap;
 
-/// Returns the indices of the largest set of tests that are connected by agreement of pairs. A set may have only one
-/// test. The order is that of `seen`.
+/// Returns the indices of the largest connected set of tests. Two tests are connected if they agree, directly or
+/// through other tests. A set may have only one test. The indices are in ascending order.
 pub(super) fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     let mut set: Vec<usize> = (0..seen.len()).collect();
     fn root(set: &mut [usize], mut i: usize) -> usize {
@@ -95,15 +95,18 @@ impl<'a> Reference<'a> {
         test.levels.iter().filter_map(at).collect()
     }
 
-    /// Returns whether some other test at a common velocity has at most about the given amplitude, m. [`AS_LONG`] is
-    /// the tolerance.
+    /// Returns whether the stroke of some reference test at a common velocity is not much longer than the given
+    /// `amplitude`, m. [`AS_LONG`] is the smallest allowed ratio of `amplitude` to the amplitude of that test.
     pub(super) fn are_as_short(&self, test: &Seen<'_>, amplitude: f64) -> bool {
         let with = |other: &&&Seen<'_>| test.levels.keys().any(|k| other.levels.contains_key(k));
         self.tests.iter().filter(with).any(|other| other.record.amplitude * AS_LONG <= amplitude)
     }
 
-    /// Returns whether a test's mean force of the two directions contradicts a factor on its force. It does if the
-    /// factor increases the deviation of this mean from that of the other tests beyond the acceptable deviation.
+    /// Returns whether the mean force of rebound and compression contradicts a multiplication of the test's force by
+    /// `factor`.
+    ///
+    /// This is so if the factor increases the deviation of the mean force from that of the reference, and the deviation
+    /// exceeds the acceptable value.
     pub(super) fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
         let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
         for (k, level) in &test.levels {
