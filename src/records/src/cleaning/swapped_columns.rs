@@ -55,8 +55,8 @@ pub(crate) fn reject(samples: &Samples, options: &Options) -> Result<(), RecordE
         .with("displacement", format_decimals(1e3 * move_range, 1))
         .with("force", format_decimals(force_range, 3));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
-    // Exchanged channels show in this combination of evidence. The displacement ranges over more than 1 m
-    // ([`LONGEST`]), the force over less than 500 N, and the force is smoother.
+    // These conditions together indicate exchanged channels. The displacement ranges over more than 1 m ([`LONGEST`]),
+    // the force over less than 500 N, and the displacement is rougher than the force.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,

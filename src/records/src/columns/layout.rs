@@ -26,7 +26,7 @@ pub(crate) struct Layout {
     pub(super) ignored: Vec<String>,
     /// Columns assigned to a channel by their unit alone.
     pub(super) guessed: Vec<(Channel, String)>,
-    /// Columns in a unit of current of a table without a recognized setting: heading and unit.
+    /// Heading and unit of each column in a unit of current, if the table has no recognized setting.
     pub(super) unread_currents: Vec<(String, String)>,
     /// Time between samples that the user gives for files without a time column, s.
     pub(super) step: Option<f64>,
@@ -93,7 +93,7 @@ fn maybe(near: Option<&str>) -> Option<Sentence> {
     near.map(|near| Sentence::from(phrases::MEANT).with("near", near))
 }
 
-/// Header of a table, with what the assignment of its columns needs.
+/// Header of a table, with the data for the assignment of its columns to channels.
 struct Header<'a> {
     at: &'a Place,
     /// Line of the header in the file, for messages.
@@ -173,13 +173,13 @@ impl<'a> Header<'a> {
         others.any(|(_, wanted)| wanted_column(wanted, &self.texts).contains(&index))
     }
 
-    /// Returns the free columns whose heading names a channel.
+    /// Returns the columns whose heading names a channel, except columns that the user names for another channel.
     fn find_named(&self, channel: Channel) -> Vec<usize> {
         let is_named = |i: &usize| matches!(&self.headings[*i], Heading::Channel(c, _) if *c == channel);
         (0..self.texts.len()).filter(|i| is_named(i) && !self.is_taken(*i, channel)).collect()
     }
 
-    /// Returns the free columns whose unit indicates a channel.
+    /// Returns the columns whose unit indicates a channel, except columns that the user names for another channel.
     fn find_by_unit(&self, channel: Channel) -> Vec<usize> {
         let speaks = |i: &usize| by_unit(self.texts[*i], self.unit_below(*i)) == Some(channel);
         (0..self.texts.len()).filter(|i| speaks(i) && !self.is_taken(*i, channel)).collect()
@@ -369,7 +369,7 @@ impl Assigned {
             .collect()
     }
 
-    /// Lists the columns in a unit of current, with this unit, of a table whose setting is not read.
+    /// Lists heading and unit of each column in a unit of current, if the setting of the table is not read.
     fn list_unread_currents(&self, header: &Header) -> Vec<(String, String)> {
         if self.has(Channel::Current) || self.has(Channel::Setting) || header.options.ignore.contains(&Channel::Current)
         {
