@@ -224,7 +224,7 @@ impl<'a> Sheet<'a> {
         Ok(true)
     }
 
-    /// Adds a row below the header, which may be no row of the table. `line` counts from 1.
+    /// Processes a row below the header, which is a row of the table or another line. `line` counts from 1.
     fn add_row(&mut self, line: usize, row: &[Data]) -> Result<(), RecordError> {
         let Some(rows) = &mut self.rows else { return Ok(()) };
         let columns = &rows.layout().columns;

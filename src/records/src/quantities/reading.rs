@@ -69,7 +69,8 @@ pub fn digits(value: f64, significant: i32) -> String {
     format!("{mantissa}\u{b7}10{}", superscript(exponent))
 }
 
-/// Formats a round number, such as one of a proposed test: two significant digits without trailing zeros or a power of ten.
+/// Formats a round number, such as one of a proposed test. The text has two significant digits without trailing zeros,
+/// and no power of ten.
 pub fn round_figure(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return "0".to_owned();

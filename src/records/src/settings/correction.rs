@@ -46,7 +46,7 @@ pub fn correct_setting(
     let name = match &rules.name {
         Some(name) => name.clone(),
         None => {
-            // The name of the rules is that of every column of the setting, so it would rename other settings.
+            // The name in the rules applies to every setting column, so it would rename other settings.
             let names: BTreeSet<&str> = known().map(|(name, _)| name).collect();
             if names.len() > 1 {
                 let names = names.into_iter().collect::<Vec<_>>().join(", ");

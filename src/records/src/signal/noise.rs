@@ -51,7 +51,7 @@ struct Deviation {
     weights: [f64; 2],
 }
 
-/// Removes the effect of a small time shift of the whole cycle from its deviations.
+/// Removes the effect of a small time shift of the whole cycle from the deviations `run`.
 ///
 /// Without speed control, the period of a drive varies by a fraction of a sample. On a steep flank, the shift would
 /// count as noise.

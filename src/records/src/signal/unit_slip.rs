@@ -1,4 +1,4 @@
-//! Channels whose unit explains a contradiction between displacement and velocity.
+//! Finds the channels for which another unit explains a contradiction between displacement and velocity.
 //!
 //! The derivative of the displacement has a unit of length and a unit of time. A wrong unit of displacement, velocity or
 //! time therefore gives the same ratio. Only the resulting test distinguishes the causes.
@@ -137,7 +137,7 @@ mod tests {
             "{found:?}"
         );
         assert!(found[1..].iter().any(|text| text.starts_with("the unit of time is ms where s was read")), "{found:?}");
-        // No unit of velocity is a thousand times that of m/s.
+        // No unit of velocity is a thousand times m/s.
         let found = explain([Second, Metre, MetrePerSecond], [Millisecond, Metre, MetrePerSecond]);
         assert_eq!(found.len(), 2, "{found:?}");
         assert!(found[1].contains("0.0250 mm at 1668 Hz"), "{found:?}");
