@@ -286,14 +286,15 @@ pub(crate) mod deviating_tests {
     /// Test: `a_unit_that_no_damper_explains_may_leave_a_residual`.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
 
-    /// Largest deviation of a test from the others if its likely unit or label is assumed, as a natural logarithm of
-    /// the force ratio. Two tests that agree deviate by up to this value.
+    /// Largest deviation of a test from the others, with its likely unit or label, at which this unit or label explains
+    /// its forces. A deviation is the natural logarithm of the force ratio. Two tests that agree deviate by up to this
+    /// value.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE: f64 = 0.3;
 
-    /// Largest deviation of a test in its likely unit, as a natural logarithm of the force ratio, if the unit ratio
-    /// exceeds [`BEYOND_DAMPERS`]. The value is a factor of two.
+    /// Value that replaces [`CLOSE`] if the ratio of the two units exceeds [`BEYOND_DAMPERS`], as a natural logarithm
+    /// of the force ratio. The value is a factor of two.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;

@@ -524,7 +524,8 @@ fn tdms(folder: &Path) {
             let path = format!("/'g'/'c{k}'");
             out.extend((path.len() as u32).to_le_bytes());
             out.extend(path.bytes());
-            // The layout is bytes in one dimension, with the stated number of values. There are no properties.
+            // The data are single bytes in one dimension, with the stated number of values. The object has no
+            // properties.
             out.extend(20_u32.to_le_bytes());
             out.extend([5_u32.to_le_bytes(), 1_u32.to_le_bytes()].concat());
             out.extend(values.to_le_bytes());

@@ -8,7 +8,7 @@
 //! - the number format of the file,
 //! - the order that puts the tests close together, else the default order for the separator of the date.
 //!
-//! A note reports an order from the last item, which is an assumption.
+//! The last item is an assumption, so a note reports the resulting order.
 
 use crate::data::record::Note;
 use crate::data::samples::Samples;

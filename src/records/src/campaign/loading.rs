@@ -211,7 +211,7 @@ fn mend(
     Ok(motions)
 }
 
-/// Makes the records. `rig` is the sign convention of the files and the delay of the force.
+/// Makes the records from the cleaned tests. `rig` is the sign convention of the files and the delay of the force.
 fn finish(
     motions: Vec<CompleteTest>,
     options: &Options,

@@ -450,8 +450,8 @@ fn direction(
     let grows = grows(evidence, fastest);
     // The logarithm of the ratio of force increases has a normal distribution about plus or minus the prior, one for
     // each direction. The log odds are then 2 · prior · found ratio / scatter². Use half of these log odds, and odds of
-    // at most seven to one, because some dampers are symmetric or inverse. The error of the force increase adds to the
-    // scatter of dampers.
+    // at most seven to one, because some dampers are symmetric or resist compression more than rebound. The error of
+    // the force increase adds to the scatter of dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });

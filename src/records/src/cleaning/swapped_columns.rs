@@ -237,8 +237,9 @@ mod tests {
         assert!(reject(&samples, &options).is_ok());
     }
 
-    /// Returns whether the displacement is rejected as a force. It has the given `range`, m, and `times` the roughness
-    /// of the force. The recorded velocity is that of the displacement, so it is no evidence.
+    /// Returns whether the displacement is rejected as a force. The displacement has the given `range`, m, and `times`
+    /// the roughness of the force. The recorded velocity is the derivative of the displacement, so it is no evidence of
+    /// an exchange.
     fn is_rejected(range: f64, times: f64) -> bool {
         let phase = |i: usize| std::f64::consts::TAU * i as f64 / 400.0;
         // The eleventh harmonic increases the third differences by 11³ and hardly changes the range.

@@ -61,7 +61,7 @@ const TESTS: [&str; 27] = [
     "测试编号",
     "试验名称",
 ];
-/// Words that follow a word of [`TESTS`].
+/// Words that may follow a word of [`TESTS`] in a heading, such as `id` in `Test ID`.
 const OF_A_TEST: [&str; 15] = [
     "id",
     "no",

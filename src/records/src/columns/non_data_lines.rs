@@ -80,7 +80,7 @@ struct Foot {
     line: usize,
     text: String,
     fault: RecordError,
-    /// Line numbers if the text may be a remark between rows: it contains no numbers, headings or units.
+    /// Line numbers of the text if it may be a remark between rows. A remark contains no numbers, headings or units.
     remarks: Option<Vec<usize>>,
 }
 

@@ -115,7 +115,7 @@ fn open(source: &Source) -> Result<Xlsx<archive::Metered<'_>>, String> {
     Xlsx::new(metered).map_err(|e: calamine::XlsxError| e.to_string())
 }
 
-/// Copies a cell's value. Charges its text, because thousands of cells may share one text.
+/// Copies a cell's value. Charges its text to the budget, because thousands of cells may share one text.
 fn copied(cell: &DataRef<'_>, budget: &Budget) -> Result<Data, Exhausted> {
     let text = match cell {
         DataRef::SharedString(text) => text.len(),

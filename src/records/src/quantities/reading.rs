@@ -26,7 +26,7 @@ impl Reading {
         Reading::in_unit([value, low, high].map(|number| factor * number), &unit)
     }
 
-    /// Formats a value and the ends of its interval that are in the unit of the text.
+    /// Formats a value and the ends of its interval, which are already in the unit `unit`.
     pub fn in_unit([value, low, high]: [f64; 3], unit: &str) -> Reading {
         // Digits after the first two of the interval's half width are not significant.
         let half = 0.5 * (high - low).abs();

@@ -162,8 +162,8 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if d0 == 0.0 {
         return Some(Noise { force_rms: 0.0, lag1: 0.0, from: NoiseSource::CycleRepeat });
     }
-    // The noise has the variance c0 and the autocorrelation r at lag 1 (r² at lag 2). The expected second moments D0 and
-    // D1 at lags of 0 and 1 sample are then:
+    // The noise has the variance c0 and the autocorrelation r at lag 1 (r² at lag 2). The expected second moments D0
+    // and D1 at lags of 0 and 1 sample are then:
     //   D0 = c0 (1 + same + 2 cross r),   D1 = c0 (r + same r + cross (1 + r²)).
     // D1/D0 increases with r, so bisection finds r.
     let ratio = d1 / d0;

@@ -318,8 +318,9 @@ mod tests {
         checked.map_or_else(|e| e.to_string(), |()| notes.iter().map(|note| note.text.to_string()).collect())
     }
 
-    /// Makes tests of an adjustable damper. Its forces at a setting are those at the setting 0 times `ratio` to the
-    /// power of the setting. The label of a test is a function of its setting and of its index.
+    /// Makes tests of an adjustable damper at the settings `values`. An increase of the setting by one multiplies the
+    /// damping force by `ratio`. `label` returns the label of a test from its setting and its index among the tests of
+    /// this setting.
     fn adjustable(ratio: f64, values: &[f64], label: impl Fn(f64, usize) -> f64) -> Vec<Record> {
         let at = |value: f64| {
             let tests = campaign(450.0 * libm::pow(ratio, value), &PLAN[..6]);
@@ -380,8 +381,8 @@ mod tests {
         assert_eq!(said(&records, &Options::default()), "");
     }
 
-    /// A semi-active damper without gas, whose settings differ in force by a typical ratio of two units. A file in kN
-    /// is found by comparison with the tests at its own setting.
+    /// Checks a semi-active damper without gas. The forces at its settings differ by a typical ratio of two units. A
+    /// file in kN is found by comparison with the tests at its own setting.
     #[test]
     fn settings_are_told_by_their_own_tests() {
         let at = |value: f64| {

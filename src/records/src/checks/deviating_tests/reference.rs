@@ -127,8 +127,8 @@ mod tests {
     use crate::data::record::Record;
     use crate::options::Options;
 
-    /// Calls `check` with the reference of three tests of 10 mm amplitude, whose mean forces of the two directions are
-    /// −100, −110 and −120 N, and with a test of −110 N.
+    /// Calls `check` with a reference and with a test. The reference consists of three tests of 10 mm amplitude, whose
+    /// mean forces of the two directions are −100, −110 and −120 N. The mean force of the test is −110 N.
     fn with_reference(check: impl Fn(&Reference<'_>, &Seen<'_>) -> bool) -> bool {
         let record = Record { amplitude: 0.01, ..Record::default() };
         let (options, units) = (Options::default(), Vec::new());
