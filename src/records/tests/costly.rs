@@ -335,7 +335,7 @@ mod mdf {
             first = file.data_group(first, group, data, 0);
         }
         rejected(folder, "texts.mf4", &file.done(first));
-        // Numbers before the records distinguish thousands of groups. All records belong to one of these groups.
+        // An identification number before each record states its group. Of thousands of groups, only one has records.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);

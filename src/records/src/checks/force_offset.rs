@@ -18,7 +18,7 @@ use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO
 use dashpot_messages::Sentence;
 use std::collections::BTreeMap;
 
-/// Mean force of the two directions, N, with the index of its test, by velocity level.
+/// Index of each test and its mean force of the two directions, N, by velocity level.
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 
 /// Deviation of the mean force of a test from that of the others.

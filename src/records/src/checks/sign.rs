@@ -63,7 +63,7 @@ struct Evidence {
     power: f64,
     /// Force at standstill and its uncertainty, N.
     standstill: Option<(f64, f64)>,
-    /// Natural logarithm of the ratio of the force at positive velocity to that at negative velocity.
+    /// Natural logarithm of the ratio of the damping force at positive velocity to that at negative velocity.
     asymmetry: Option<f64>,
     /// Increase of the force from low to high speed, at positive and at negative velocity, N.
     growth: Option<[f64; 2]>,

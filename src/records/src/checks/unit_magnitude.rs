@@ -211,7 +211,8 @@ mod tests {
         assert!(at(800.0, &none).contains("--unit current=mA, or --unit current=A to insist"), "{}", at(800.0, &none));
         assert!(at(-1600.0, &none).contains("1600 A"));
         assert_eq!([at(10.0, &none), at(800.0, &insists)], ["", ""]);
-        // A profile that names the current and its unit does not say how a file wrote it.
+        // A profile that states the setting `current` and its unit does not state the unit in the files. The check
+        // therefore still applies.
         let named = |name: &str| {
             let mut options = Options::default();
             options.settings.name = Some(name.into());

@@ -135,7 +135,7 @@ impl<'a> Header<'a> {
         self.units.get(index).map(|unit| unit.trim().trim_matches(|c| "[]()".contains(c)))
     }
 
-    /// Returns whether the table has headings of its own.
+    /// Returns whether the file contains headings. Otherwise, `texts` contains the names from [`numbered`].
     fn is_headed(&self) -> bool {
         self.texts.iter().zip(numbered(self.texts.len())).any(|(own, number)| *own != number)
     }

@@ -121,7 +121,7 @@ mod tests {
             // The name of a test does not count if the rules state that it has no setting.
             assert_eq!(found[0].as_ref().map(|of| of.value), value, "{typed}");
             assert_eq!(found[1].as_ref().map(|of| (of.value, of.unit.as_str())), Some((0.8, "A")), "{typed}");
-            // The unit of the columns stays as their headings state it.
+            // The unit in the rules stays empty, so that the headings still state the units of their columns.
             assert_eq!((rules.name.as_deref(), rules.unit.as_str(), rules.values.len()), (Some("current"), "", 1));
         }
         // A rule of the profile keeps its unit, and a second correction replaces the first.

@@ -80,15 +80,15 @@ impl<'a> Reference<'a> {
         Some(low + part * (self.curve.get(&(below as i32 + 1))? - low))
     }
 
-    /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. If there is no
+    /// Returns the highest velocity level common to a test and the reference, as a pair of equal levels. If there is no
     /// common level, returns the two closest levels, first that of the test.
     pub(super) fn closest_levels(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
         let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }
 
-    /// Returns the deviations of a test from the others at their common velocities, as natural logarithms of the force
-    /// ratio. The test's forces and velocities are first scaled by the given factors.
+    /// Returns the deviations of a test from the reference at their common velocities, as natural logarithms of the
+    /// force ratio. The test's forces and velocities are first scaled by the given factors.
     pub(super) fn deviations(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
