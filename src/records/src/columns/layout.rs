@@ -26,7 +26,7 @@ pub(crate) struct Layout {
     pub(super) ignored: Vec<String>,
     /// Columns assigned to a channel by their unit alone.
     pub(super) guessed: Vec<(Channel, String)>,
-    /// Heading and unit of each column in a unit of current, if the table has no recognized setting.
+    /// Columns in a unit of current of a table without a recognized setting: heading and unit.
     pub(super) unread_currents: Vec<(String, String)>,
     /// Time between samples that the user gives for files without a time column, s.
     pub(super) step: Option<f64>,
@@ -369,7 +369,7 @@ impl Assigned {
             .collect()
     }
 
-    /// Lists heading and unit of each column in a unit of current, if the setting of the table is not read.
+    /// Lists the columns in a unit of current, with this unit, of a table whose setting is not read.
     fn list_unread_currents(&self, header: &Header) -> Vec<(String, String)> {
         if self.has(Channel::Current) || self.has(Channel::Setting) || header.options.ignore.contains(&Channel::Current)
         {
