@@ -189,7 +189,7 @@ impl Options {
     }
 
     /// Merges these options with the options of a profile. Entries of `self` have precedence. A number that equals its
-    /// default counts as not given. Lists are joined, and a switch is on if it is on in either of the two. `strict` is
+    /// default counts as not stated. Lists are joined, and a switch is on if it is on in either of the two. `strict` is
     /// that of `self`.
     pub fn over(&self, profile: &Options) -> Options {
         let number = |own: f64, other: f64, nothing: f64| if own == nothing { other } else { own };

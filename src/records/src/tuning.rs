@@ -7,18 +7,18 @@
 
 /// Constants of `campaign/date_agreement.rs`.
 pub(crate) mod date_agreement {
-    /// Smallest ratio of a campaign's time spans in the two orders of day and month at which the order with the shorter
-    /// span is used.
+    /// Smallest ratio of two time spans of a campaign at which the order of day and month with the shorter span is
+    /// used. One span is computed with the day first, the other with the month first.
     ///
     /// A campaign takes days. With day and month exchanged, its tests are scattered over the year. At a smaller ratio,
-    /// the usual order for the separator of the date is used.
+    /// the default order for the separator of the date is used.
     ///
     /// Test: `dates_decide_only_where_one_reading_lies_much_closer_together`.
     pub(crate) const CLOSER: f64 = 5.0;
 
-    /// Smallest time span of the tests, s, in one order of day and month at which this order counts as wrong. The ratio
-    /// [`CLOSER`] must be exceeded too. With day and month exchanged, the tests of a campaign are scattered over the
-    /// year.
+    /// Time span of a campaign's tests, s, above which the order of day and month with this span counts as wrong. The
+    /// ratio [`CLOSER`] must be exceeded too. With day and month exchanged, the tests of a campaign are scattered over
+    /// the year.
     ///
     /// Test: `tests_of_one_campaign_lie_close_together`.
     pub(crate) const APART: f64 = 20.0 * 86_400.0;
@@ -53,7 +53,7 @@ pub(crate) mod common_clock {
 /// Constants of `signal/consistency.rs`.
 pub(crate) mod consistency {
     /// Largest time shift of a recorded velocity relative to the displacement, as a fraction of the sampling interval,
-    /// at which the velocity is used. A converter samples the two channels one after the other. If this limit and
+    /// at which the velocity is used. A converter samples the two channels one after the other. If both this limit and
     /// [`LAG_OF_PHASE`] are exceeded, the velocity is derived from the displacement.
     ///
     /// Test: `a_lag_within_conversion_or_noise_is_none`.
@@ -93,7 +93,8 @@ pub(crate) mod delay {
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
     pub(crate) const TELLING: f64 = 0.02;
 
-    /// Number of samples that decimation leaves of a longer test: at least this number, and less than twice as many.
+    /// Smallest number of samples of a longer test after decimation. The number after decimation is less than twice
+    /// this number.
     ///
     /// Test: `slow_tests_tell_no_delay_and_long_ones_are_thinned_out`.
     pub(crate) const SAMPLES: usize = 1500;
@@ -116,13 +117,15 @@ pub(crate) mod delay {
     /// Test: `delays_are_found_to_a_millisecond_and_their_absence_too`.
     pub(crate) const SHORTEST_REPORTED: f64 = 0.005;
 
-    /// Largest ratio of the unexplained force variances with and without the delay at which the delay is reported.
+    /// Largest ratio of the unexplained force variance with the delay to that without it at which the delay is
+    /// reported.
     ///
     /// Test: `a_delay_that_explains_little_of_the_force_is_not_reported`.
     pub(crate) const BETTER: f64 = 0.6;
 
-    /// Ratio of unexplained force variances, assuming a delay or a reversed sign, below which the cause with the
-    /// smaller variance is selected. At a larger ratio, the error names both causes.
+    /// Ratio of two unexplained force variances below which the cause with the smaller variance is selected. One
+    /// variance assumes a delay of the force, the other a reversed sign. At a larger ratio, the error names both
+    /// causes.
     ///
     /// Test: `a_turned_sign_is_told_from_a_delay`.
     pub(crate) const CLEARLY: f64 = 0.7;
@@ -283,20 +286,22 @@ pub(crate) mod deviating_tests {
     /// Test: `a_unit_that_no_damper_explains_may_leave_a_residual`.
     pub(crate) const BEYOND_DAMPERS: f64 = 50.0;
 
-    /// Largest deviation of a test from the others if its likely unit or label is assumed, as a natural logarithm of
-    /// the force ratio. Two tests that agree deviate by up to this value.
+    /// Largest deviation of a test from the others, with its likely unit or label, at which this unit or label explains
+    /// its forces. A deviation is the natural logarithm of the force ratio. Two tests that agree deviate by up to this
+    /// value.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE: f64 = 0.3;
 
-    /// Largest deviation of a test in its likely unit, as a natural logarithm of the force ratio, if the unit ratio
-    /// exceeds [`BEYOND_DAMPERS`]. The value is a factor of two.
+    /// Value that replaces [`CLOSE`] if the ratio of the two units exceeds [`BEYOND_DAMPERS`], as a natural logarithm
+    /// of the force ratio. The value is a factor of two.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const CLOSE_BEYOND: f64 = 0.7;
 
-    /// Smallest ratio of a test's deviation from the tests at its setting to the median of such deviations at which its
-    /// label is doubted. With a smaller ratio, heat and hysteresis would be taken for another setting.
+    /// Smallest ratio of a test's deviation to the median deviation of all tests at which the label of the test is
+    /// doubted. A deviation is that from the other tests at the same setting. With a smaller ratio, heat and hysteresis
+    /// would be mistaken for another setting.
     ///
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const TIMES_SCATTER: f64 = 5.0;
@@ -313,8 +318,9 @@ pub(crate) mod deviating_tests {
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const OF_OWN: f64 = 0.35;
 
-    /// Difference of force ratios between motions that repeated tests have by chance, as a natural logarithm. It keeps
-    /// the ratio of two small disagreements from being taken for a sure sign of mirrored labels.
+    /// Disagreement of two motions due to the scatter of repeated tests, as a natural logarithm of the force ratio. The
+    /// value is added to two disagreements before their ratio is computed. Otherwise, the ratio of two small
+    /// disagreements would seem to prove mirrored labels.
     ///
     /// Test: `motions_counted_from_the_other_end_are_named_up_to_half_of_them`.
     pub(crate) const REPEATED: f64 = 0.02;
@@ -324,9 +330,10 @@ pub(crate) mod deviating_tests {
     /// Test: `labels_of_little_difference_are_seen_by_the_scatter`.
     pub(crate) const SAME_MOTION: f64 = 0.1;
 
-    /// Difference of a test's force residuals with two units, as natural logarithms, below which both units are likely.
-    /// A wrong label is reported unless the residual with a wrong unit is smaller by this value. The logarithms of
-    /// kilogram-force and decanewton differ by 0.02.
+    /// Largest difference between the force residuals of a test with two units at which both units are likely. A
+    /// residual is the root mean square of natural logarithms of force ratios. A wrong label is reported unless the
+    /// residual with a wrong unit is smaller by this value. The logarithms of kilogram-force and decanewton differ by
+    /// 0.02.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const AS_LIKELY: f64 = 0.05;
@@ -337,8 +344,8 @@ pub(crate) mod deviating_tests {
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 2;
 
-    /// Acceptable deviation of the mean force of the two directions from that of the others, in multiples of its scatter
-    /// between tests. [`load_cell::OFFSET`](super::load_cell::OFFSET) is accepted in addition.
+    /// Acceptable deviation of the mean force of the two directions from that of the others, in multiples of its
+    /// scatter between tests. [`load_cell::OFFSET`](super::load_cell::OFFSET) is accepted in addition.
     ///
     /// Test: `the_scatter_of_the_gas_force_excuses_a_factor`.
     pub(crate) const OF_SCATTER: f64 = 3.0;
@@ -480,14 +487,16 @@ pub(crate) mod sign {
 
 /// Constants of `signal/unit_slip.rs`.
 pub(crate) mod unit_slip {
-    /// Relative deviation from the ratio of two units up to which a unit explains a ratio of velocity and derivative.
+    /// Largest relative deviation of a measured ratio from the ratio of two units at which another unit explains the
+    /// measured ratio. The measured ratio is that of the velocity channel to the derivative of the displacement.
     /// Sensors have smaller errors, and no two units are so close.
     ///
     /// Test: `the_unit_with_a_typical_test_is_first`.
     pub(crate) const EXACTNESS: f64 = 0.06;
 
-    /// Amplitude of a typical damper test, m. Of several units that explain a contradiction, that of the most typical test
-    /// is likely. A wrong unit is wrong by a factor of ten or more, so a factor of two is irrelevant here.
+    /// Amplitude of a typical damper test, m. If several units explain a contradiction, the unit that gives the most
+    /// typical test is the likely one. A wrong unit is wrong by a factor of ten or more, so a factor of two is
+    /// irrelevant here.
     ///
     /// Test: `the_unit_with_a_typical_test_is_first`.
     pub(crate) const TYPICAL_AMPLITUDE: f64 = 0.02;
@@ -585,8 +594,8 @@ pub(crate) mod unit_magnitude {
 pub(crate) mod force_levels {
     /// Ratio of the limits of successive velocity levels, at which the forces of a test are evaluated.
     ///
-    /// Within a level, the velocity changes by this ratio, and the force of most dampers by at most this ratio. A sine
-    /// has nine levels in the upper 90 % of its velocity range.
+    /// Within a level, the velocity changes by this ratio. The force of most dampers changes by at most this ratio. A
+    /// sine has nine levels in the upper 90 % of its velocity range.
     ///
     /// Test: `a_sine_shows_force_against_motion_and_between_at_its_velocities`.
     pub(crate) const STEP: f64 = 1.3;
@@ -604,7 +613,7 @@ pub(crate) mod force_levels {
     /// Test: `a_test_that_is_turned_round_and_a_zero_that_moved_are_told`.
     pub(crate) const MIDDLE: f64 = 0.5;
 
-    /// Smallest number of samples in each direction for their median to represent the force at a velocity.
+    /// Smallest number of samples in each direction whose median represents the force at a velocity.
     ///
     /// Test: `a_file_in_another_unit_is_named_with_the_unit`.
     pub(crate) const FEWEST: usize = 5;
@@ -774,7 +783,8 @@ pub(crate) mod cycles {
     pub(crate) const TOLERANCE: (f64, f64) = (0.03, 0.15);
 
     /// Smallest relative tolerance of stroke and period of the first and the last cycle after refinement of the
-    /// crossings. It is smaller than [`TOLERANCE`], because the end of a run-up causes only a small deviation.
+    /// crossings. This tolerance is smaller than [`TOLERANCE`], because the end of a run-up causes only a small
+    /// deviation.
     ///
     /// Test: `a_small_sine_after_a_long_way_to_its_start_is_found`.
     pub(crate) const END_TOLERANCE: f64 = 0.003;
@@ -837,8 +847,8 @@ pub(crate) mod gaps {
     /// Test: `a_slower_rate_is_no_gap_from_sixteen_steps_on`.
     pub(crate) const AROUND: usize = 15;
 
-    /// Largest ratio of the range of a piece without a whole cycle to the largest stroke of cycles at which the piece
-    /// is left out.
+    /// Largest relative range of a piece without a whole cycle at which the piece is removed. The range is relative to
+    /// the largest stroke of the cycles of the record.
     ///
     /// Test: `a_larger_motion_without_a_cycle_is_no_stump`.
     pub(crate) const BEYOND: f64 = 1.1;
@@ -1024,7 +1034,7 @@ pub(crate) mod settings {
     /// Test: `what_changes_little_by_little_or_all_the_time_is_one_test`.
     pub(crate) const STAYS: usize = 2;
 
-    /// Number of preceding cycles with whose median the next cycle is compared.
+    /// Number of preceding cycles whose median is compared with the next cycle.
     ///
     /// Test: `a_cycle_is_compared_with_the_three_before_it`.
     pub(crate) const BEFORE: usize = 3;

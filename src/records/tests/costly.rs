@@ -94,8 +94,10 @@ fn workbook(sheets: usize, data: &str, others: &[(&str, String)]) -> Vec<u8> {
     archive.finish().unwrap().into_inner()
 }
 
-/// Runs `files`, which reads files in a folder, in a process of its own. So two tests can run side by side, because memory and processor
-/// time of a process are those of one file.
+/// Runs `files`, which reads files in a folder, in a separate process.
+///
+/// The memory and the processor time of this process are then those of `files` alone, so several tests can run at the
+/// same time.
 fn in_own_process(test: &str, files: fn(&Path)) {
     const INNER: &str = "DASHPOT_COSTLY_FILES";
     if std::env::var_os(INNER).is_some() {
@@ -119,7 +121,8 @@ fn small_texts_and_workbooks_never_cost_more_than_a_gibibyte_and_ten_seconds() {
         workbooks(folder);
         known();
     });
-    // The process above is no child of cargo, so its own report would not be counted.
+    // The process above is not a child of cargo, so skipped tests that it reports would not be counted. This process
+    // therefore reports them.
     if !Path::new(KNOWN).is_dir() {
         dashpot_test_support::skipped(format!("there is no {KNOWN}"));
     }
@@ -332,7 +335,7 @@ mod mdf {
             first = file.data_group(first, group, data, 0);
         }
         rejected(folder, "texts.mf4", &file.done(first));
-        // Numbers before the records distinguish thousands of groups. All records belong to one of these groups.
+        // An identification number before each record states its group. Of thousands of groups, only one has records.
         let mut file = File::new();
         let name = file.text("force");
         let channel = file.channel(0, name, 0);
@@ -521,7 +524,8 @@ fn tdms(folder: &Path) {
             let path = format!("/'g'/'c{k}'");
             out.extend((path.len() as u32).to_le_bytes());
             out.extend(path.bytes());
-            // The layout is bytes in one dimension, with the stated number of values. There are no properties.
+            // The data are single bytes in one dimension, with the stated number of values. The object has no
+            // properties.
             out.extend(20_u32.to_le_bytes());
             out.extend([5_u32.to_le_bytes(), 1_u32.to_le_bytes()].concat());
             out.extend(values.to_le_bytes());

@@ -160,7 +160,7 @@ fn numbers_as_programs_write_them() {
     let exponents = "Time [s]   Displacement [mm]   Force [N]\n".to_owned()
         + &rows(|_, t, x, f| format!(" {t:.5E}   {x:.6E}   {f:.6E}").replace('E', "D"));
     check_text("Fortran", "d.dat", &exponents);
-    // In this file, only the blank instead of a positive sign separates the columns of numbers.
+    // In this file, the blank that replaces a plus sign is the only separator between two columns of numbers.
     let fixed = "    Time    Displ    Force\n       s       mm        N\n".to_owned()
         + &rows(|_, t, x, f| format!("{t:8.4} {x:8.5} {f:9.4}"));
     check_text("columns of fixed width", "d.asc", &fixed);

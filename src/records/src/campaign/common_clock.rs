@@ -1,4 +1,4 @@
-//! Puts the records of a campaign on one common time axis (clock) if their files state date and time.
+//! Puts the records of a campaign on one common time axis (clock) if all files state when their tests began.
 //!
 //! A model can then continue the states of temperature and drift from one file to the next.
 
@@ -9,9 +9,9 @@ use crate::tuning::common_clock::{WITH_DATE, WITHOUT_DATE};
 use dashpot_messages::Sentence;
 use std::cmp::Ordering;
 
-/// Sets [`Record::clock_s`] of every record, so that all records lie on one clock. Adds a note that states the common
-/// clock or why there is none. Changes nothing if fewer than two records exist, if no record states its start, or if
-/// the records already share a clock.
+/// Sets [`Record::clock_s`] of every record, so that all records have one common time axis. Adds a note that states the
+/// common clock or why there is none. Changes nothing if fewer than two records exist, if no record states its start,
+/// or if the records already have a common clock.
 pub(crate) fn assign(records: &mut [Record], notes: &mut Vec<Note>) {
     let bearing = records.iter().filter(|record| record.begins.is_some()).count();
     if bearing == 0 || records.len() < 2 || apart(records.iter().filter_map(Record::span).collect()) {

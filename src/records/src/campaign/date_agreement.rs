@@ -6,9 +6,9 @@
 //! - the user's statement,
 //! - other dates of the same file with only one valid order (13/11/2026), then those of its campaign if they agree,
 //! - the number format of the file,
-//! - the order that puts the tests close together, else the usual order for the separator of the date.
+//! - the order that puts the tests close together, else the default order for the separator of the date.
 //!
-//! A note reports an order from the last item, which is an assumption.
+//! The last item is an assumption, so a note reports the resulting order.
 
 use crate::data::record::Note;
 use crate::data::samples::Samples;
@@ -71,8 +71,9 @@ mod tests {
     use super::*;
     use crate::fixtures::SineTest;
 
-    /// Applies [`settle`] to tests whose files have the given lines above their tables. `usual` is the order of day and
-    /// month by the number format of the files. Returns the days on which the tests began and the notes about dates.
+    /// Applies [`decide_order`] to tests whose files have the given lines above their tables. `usual` is the order of
+    /// day and month by the number format of the files. Returns the days on which the tests began and the notes about
+    /// dates.
     fn read(files: &[&str], options: &Options, usual: Option<DateOrder>) -> (Vec<String>, String) {
         let mut tests: Vec<(&Options, Samples)> = files
             .iter()

@@ -180,7 +180,7 @@ impl Below {
 /// folders deep. The limit ends the search if a link points to a parent folder.
 const DEEPEST: usize = 4;
 
-/// Counts the files in a folder and in up to `deep` levels of subfolders that are records by their extensions. Ignores
+/// Counts the files with the extension of a record, in a folder and in up to `deep` levels of its subfolders. Ignores
 /// unreadable folders, hidden files and lock files of workbooks.
 fn records_below(folder: &Path, deep: usize) -> usize {
     let Ok(within) = std::fs::read_dir(folder) else { return 0 };

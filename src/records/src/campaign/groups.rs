@@ -116,8 +116,8 @@ pub fn split(
         _ if by.matches(PLACE).count() == 1 => by_name(data, by, read, reference)?,
         _ => return Err(GroupError::NoWay { by: by.to_owned() }),
     };
-    // If each folder is a separate campaign, its notes already concern a single group. Otherwise, make the notes about
-    // several settings anew for each group.
+    // If each folder is a separate campaign, its notes already concern a single group. Otherwise, replace the note
+    // about several settings by one for each group that has several settings.
     if by != "folders" {
         note_settings_of_groups(split.groups.iter().map(|group| group.records.as_slice()), &mut split.notes);
     }
@@ -141,7 +141,7 @@ fn folders_in(data: &[PathBuf]) -> Result<Vec<PathBuf>, GroupError> {
 }
 
 impl Split {
-    /// Moves everything but the records of a campaign into the split. Returns the records.
+    /// Moves files, notes and unusable tests of a campaign into the split. Returns the records of the campaign.
     fn without_records(&mut self, campaign: Campaign) -> Vec<Record> {
         self.files.extend(campaign.files);
         self.unusable.extend(campaign.unusable);

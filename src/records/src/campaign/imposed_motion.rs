@@ -36,8 +36,9 @@ pub struct MotionRecord {
 }
 
 /// Reads a motion. `options` state units, columns, ignored channels, signs and the displacement zero, with precedence
-/// over a profile in the file's folder. Gains of the channels apply as in records. Extension is positive unless the options
-/// or the profile state another direction. The force column is not read. The setting is recognized as in records.
+/// over a profile in the file's folder. Gains of the channels apply as in records. Extension is positive unless the
+/// options or the profile state another direction. The force column is not read. The setting is recognized as in
+/// records.
 ///
 /// # Errors
 /// [`RecordError`] if the file cannot be read, contains several tests or has a missing value, or if its time does not
@@ -77,9 +78,9 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     Ok(MotionRecord { time, displacement, velocity, side_force, temperature, setting, positive: options.positive })
 }
 
-/// Reads the force, N, that was recorded with a motion. It is tension positive if the direction and sign that options
-/// and profile state are right. Returns `None` if the file cannot be read, has no force or one with missing values, or
-/// if the options ignore the force.
+/// Reads the force, N, that was recorded with a motion. The force is tension positive if the options and the profile
+/// state the right direction and sign. Returns `None` if the options ignore the force. Also returns `None` if the file
+/// cannot be read, has no force, or has missing values of the force.
 pub fn read_force_of_motion(file: &Path, options: &Options) -> Option<Vec<f64>> {
     let options = with_profile(file, options).ok().filter(|options| !options.ignore.contains(&Channel::Force))?;
     let mut force = read_file(file, &options).ok()?.pop()?.force;
@@ -100,10 +101,11 @@ fn turn(options: &Options) -> f64 {
     if options.flip_motion != (options.positive == Some(Positive::Compression)) { -1.0 } else { 1.0 }
 }
 
-/// Returns the largest magnitude of a channel in a motion, in SI units or in the unit of the setting.
+/// Returns the largest allowed magnitude of a channel in a motion, in SI units or in the unit of the setting.
 ///
-/// The kernel's C interface has the limits of motion, side force and temperature. The limit of time includes a clock in seconds since 1970.
-/// The limit of force is never used, because a motion has none.
+/// The C interface of the kernel has the same limits for the side force, the temperature, and the sum of displacement
+/// and velocity. The limit of time allows a clock in seconds since 1970. The limit of force is never used, because a
+/// motion has no force.
 pub fn motion_limit(channel: Channel) -> f64 {
     match channel {
         Channel::Time => 1e10,

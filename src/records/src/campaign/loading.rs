@@ -82,7 +82,7 @@ pub struct Progress {
     /// Number of finished steps. Reading a file is one step, and cleaning a test is one step.
     pub done: usize,
     /// Total number of steps. Each file that is read adds a step for each of its tests. The number is final once all
-    /// files are read and split: without the tests left out, and with the parts of split tests.
+    /// files are read and split. It then includes the parts of split tests, but not the excluded tests.
     pub total: usize,
 }
 
@@ -211,7 +211,7 @@ fn mend(
     Ok(motions)
 }
 
-/// Makes the records. `rig` is the sign convention of the files and the delay of the force.
+/// Makes the records from the cleaned tests. `rig` is the sign convention of the files and the delay of the force.
 fn finish(
     motions: Vec<CompleteTest>,
     options: &Options,
@@ -247,7 +247,7 @@ fn assign_settings(records: &mut [Record], options: &Options, notes: &mut Vec<No
 
 /// Units in which the files were read.
 struct FileUnits<'a> {
-    /// Units and options by the place of the test.
+    /// Units and options of each test. The key is the location of the test, as text.
     readings: HashMap<String, deviating_tests::Reading<'a>>,
     /// Whether a motion is in inches.
     has_inches: bool,
@@ -266,7 +266,8 @@ impl<'a> FileUnits<'a> {
     }
 }
 
-/// Checks units, magnitudes and forces of the records against each other, and adds the frame of the rig to them.
+/// Checks units, magnitudes and forces of the records against each other, and stores the frame of the rig in each
+/// record.
 fn check(
     records: &mut [Record],
     options: &Options,

@@ -36,7 +36,7 @@ pub struct MotionSetting {
 
 impl MotionSetting {
     /// Finds the setting as for a record: from the user's rules, else from a column, else from the file name. Returns
-    /// `None` if none of them states a setting, and if the rules state that there is none. Unless the rules state the
+    /// `None` if none of them states a setting, or if the rules state that there is none. Unless the rules state the
     /// setting, removes the setting columns from the samples.
     pub(crate) fn take(samples: &mut Samples, rules: &SettingRules) -> Option<MotionSetting> {
         let count = samples.len();

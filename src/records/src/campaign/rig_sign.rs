@@ -12,8 +12,8 @@ use crate::tuning::rig_sign::OWN;
 use crate::tuning::sign::UNSURE;
 use dashpot_messages::{Sentence, format_decimals};
 
-/// Reverses campaigns whose sign differs from the most certain one, and adds a note. Campaigns with a stated direction
-/// stay unchanged. Campaigns with an opposite but certain direction only get a note.
+/// Reverses each campaign whose sign differs from the most certain sign, and adds a note. A campaign with a stated
+/// direction stays unchanged. A campaign with an opposite but certain direction only gets a note.
 pub fn agree_on_sign(campaigns: &mut [&mut Campaign]) {
     let Some(surest) = campaigns.iter().map(|c| &c.sign).max_by(|a, b| a.confidence.total_cmp(&b.confidence)).cloned()
     else {

@@ -179,7 +179,7 @@ pub(crate) fn notes(unusable: &[Unusable]) -> Vec<Note> {
     notes
 }
 
-/// Makes the entry of an unusable file or test from its fault.
+/// Converts a fault to an entry of the campaign's list of unusable files and tests.
 fn in_words(error: &RecordError) -> Unusable {
     let is_test = error.reach() != Reach::NoRecord;
     let left_out = if is_test { phrases::LEFT_OUT } else { phrases::NO_RECORD };

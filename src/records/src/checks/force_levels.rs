@@ -34,8 +34,9 @@ pub(crate) fn velocity(level: i32) -> f64 {
     FROM * libm::pow(STEP, f64::from(level) + 0.5)
 }
 
-/// Computes the force levels of a test from the samples for which `counts` is true. Omits samples below the fraction
-/// [`LOWEST`] of the peak velocity or above it, and levels with fewer than [`FEWEST`] samples in a direction.
+/// Computes the force levels of a test from the samples for which `counts` is true. Omits samples that are slower than
+/// the fraction [`LOWEST`] of the peak velocity or faster than the peak velocity. Also omits levels with fewer than
+/// [`FEWEST`] samples in a direction.
 pub(crate) fn levels(record: &Record, counts: impl Fn(usize) -> bool) -> Levels {
     let lowest = LOWEST * record.peak_velocity;
     let mut forces: BTreeMap<i32, [Vec<f64>; 2]> = BTreeMap::new();

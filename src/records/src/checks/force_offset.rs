@@ -18,13 +18,14 @@ use crate::tuning::force_offset::{CONSTANT, FEW, FEWEST, OF_SCATTER, STRONG, TWO
 use dashpot_messages::Sentence;
 use std::collections::BTreeMap;
 
-/// Mean force of the two directions, N, with the index of its test, by velocity level.
+/// Index of each test and its mean force of the two directions, N, by velocity level.
 type Others = BTreeMap<i32, Vec<(usize, f64)>>;
 
 /// Deviation of the mean force of a test from that of the others.
 struct Deviation {
-    /// Median over the velocities of the difference, N, between the mean force of the two directions of the test and of
-    /// the others. `scatter` is the median absolute deviation of the differences from this median, N.
+    /// Median over the velocity levels of the difference, N, between the mean forces of the test and of the others. A
+    /// mean force is that of rebound and compression. `scatter` is the median absolute deviation of the differences
+    /// from this median, N.
     offset: f64,
     scatter: f64,
     /// Number of velocity levels common to the test and the others.
@@ -59,8 +60,8 @@ pub(crate) fn report(records: &[Record], as_read: &[Levels], notes: &mut Vec<Not
             turned.push((record, own));
             continue;
         }
-        // The deviation by a changed zero is equal at every velocity. Deviations by effects of stroke and position
-        // depend on velocity.
+        // A changed zero causes the same deviation at every velocity. Effects of stroke and position cause deviations
+        // that depend on velocity.
         let constant = |seen: &Deviation| seen.velocities >= VELOCITIES && seen.scatter < CONSTANT * seen.offset.abs();
         let at_the_ends = from_others(&towards_ends[i], 1.0, &at_ends).filter(constant);
         let same = at_the_ends.is_some_and(|ends| (ends.offset - own.offset).abs() < CONSTANT * own.offset.abs());
@@ -112,7 +113,8 @@ fn by_velocity(seen: &[Levels]) -> Others {
 }
 
 /// Computes the deviation of a test from the others, with the forces of the test multiplied by `turn`. `offset` is the
-/// expected zero offset of the load cell, N. Returns `None` if at no velocity at least [`FEWEST`] others have a force.
+/// expected zero offset of the load cell, N. Returns `None` if there is no velocity level at which at least [`FEWEST`]
+/// other tests have a force.
 fn deviation(
     (own, is_alike): (usize, &dyn Fn(usize) -> bool),
     seen: &Levels,

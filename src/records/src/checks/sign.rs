@@ -55,7 +55,7 @@ impl SignFinding {
     }
 }
 
-/// One test's evidence, in the file's signs.
+/// Evidence of one test for the positive direction, with the signs of the file.
 struct Evidence {
     name: String,
     /// Correlation of force and velocity over whole cycles: the power relative to the largest possible power at these
@@ -63,7 +63,7 @@ struct Evidence {
     power: f64,
     /// Force at standstill and its uncertainty, N.
     standstill: Option<(f64, f64)>,
-    /// Natural logarithm of the ratio of the force at positive velocity to that at negative velocity.
+    /// Natural logarithm of the ratio of the damping force at positive velocity to that at negative velocity.
     asymmetry: Option<f64>,
     /// Increase of the force from low to high speed, at positive and at negative velocity, N.
     growth: Option<[f64; 2]>,
@@ -95,8 +95,8 @@ pub(crate) fn determine(
     let cycles: Vec<(usize, Overtones)> =
         motions.iter().enumerate().filter_map(|(i, motion)| Some((i, Overtones::measure(motion)?))).collect();
     let exchanged: Vec<(usize, Overtones)> = cycles.iter().copied().filter(|(_, o)| o.exchanged()).collect();
-    // With the recorded signs the damper dissipates, so the channels may be correct and the damper of an unknown kind.
-    // Add a note and leave the record unchanged.
+    // With the recorded signs, the damper dissipates energy. The channels may therefore be correct, and the damper of
+    // an unknown kind. So add a note and leave the record unchanged.
     if 2 * exchanged.len() > cycles.len() {
         let text =
             Sentence::from(phrases::EXCHANGED_DOUBT).with_sentence("exchanged", told_exchanged(&evidence, &exchanged));
@@ -128,8 +128,8 @@ fn weigh(motions: &[CompleteTest]) -> (Vec<Evidence>, Option<(f64, f64)>) {
     (evidence, standstill)
 }
 
-/// Returns the delay of the force, if significant, and adds a note about it. Rejects tests that feed energy for a
-/// reason other than a delay.
+/// Returns the delay of the force, if significant, and adds a note about it. Rejects the campaign if tests feed energy
+/// into the rig for a reason other than a delay.
 fn lateness(
     motions: &[CompleteTest],
     evidence: &[Evidence],
@@ -301,7 +301,8 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
         .filter_map(|e| {
             let [positive, negative] = e.growth?;
             let error = e.level_error.max(f64::MIN_POSITIVE);
-            // The increase counts as at least its error, because the true increase may be as large.
+            // An increase below its error is replaced by the error, because the true increase may be as large as the
+            // error.
             let (positive, negative) = (positive.max(error), negative.max(error));
             Some((libm::log(positive / negative), libm::hypot(error / positive, error / negative)))
         })
@@ -314,8 +315,8 @@ fn grows(evidence: &[Evidence], fastest: f64) -> Option<(f64, f64)> {
 /// Returns the logarithm of the odds that the force is tension positive, from the force at standstill and its
 /// uncertainty, N.
 ///
-/// The prior is a gas force of any size that pushes the rod out, with a normal error. In the fraction [`TARED`] of the
-/// rigs, the force is no evidence, which limits the odds.
+/// The gas pushes the rod out, and its force has a uniform prior. The error of the force is normally distributed. In
+/// the fraction [`TARED`] of the rigs, the force is no evidence, which limits the odds.
 fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     // This logistic curve approximates the cumulative normal distribution with an error below 0.01.
     let tension = 1.0 / (1.0 + libm::exp(1.702 * force / uncertainty));
@@ -323,19 +324,21 @@ fn gas_odds(force: f64, uncertainty: f64) -> f64 {
     libm::log(tempered(tension) / tempered(1.0 - tension))
 }
 
-/// Logarithm of the odds from which the force at standstill speaks for a direction of the force. The value is a choice:
-/// odds of 2.7 to one.
+/// Smallest absolute log odds at which the force at standstill counts as evidence for a direction of the force. The
+/// value is a choice: odds of 2.7 to one.
 const CLEAR_GAS: f64 = 1.0;
 
-/// Returns the positive direction of the force for which the force at standstill and its uncertainty, N, speak.
-/// Whether motion and force have consistent signs makes no difference.
+/// Returns the positive direction of the force that the force at standstill indicates. `standstill` is this force and
+/// its uncertainty, N. The result does not depend on whether motion and force have consistent signs.
+///
+/// Returns `None` if the force at standstill is unknown or its evidence is weak (see [`CLEAR_GAS`]).
 fn positive_by_gas(standstill: Option<(f64, f64)>) -> Option<Positive> {
     let odds = standstill.map_or(0.0, |(force, uncertainty)| gas_odds(force, uncertainty));
     let positive = if odds > 0.0 { Positive::Rebound } else { Positive::Compression };
     (odds.abs() > CLEAR_GAS).then_some(positive)
 }
 
-/// Formats the force at standstill, its uncertainty, and the direction for which it speaks.
+/// Formats the force at standstill, its uncertainty, and the positive direction that it indicates.
 fn describe_standstill(standstill: Option<(f64, f64)>) -> Sentence {
     let Some((force, uncertainty)) = standstill else { return phrases::NO_STANDSTILL.into() };
     let verdict = match positive_by_gas(standstill) {
@@ -447,8 +450,8 @@ fn direction(
     let grows = grows(evidence, fastest);
     // The logarithm of the ratio of force increases has a normal distribution about plus or minus the prior, one for
     // each direction. The log odds are then 2 · prior · found ratio / scatter². Use half of these log odds, and odds of
-    // at most seven to one, because some dampers are symmetric or inverse. The error of the force increase adds to the
-    // scatter of dampers.
+    // at most seven to one, because some dampers are symmetric or resist compression more than rebound. The error of
+    // the force increase adds to the scatter of dampers.
     let shape = grows.map_or(0.0, |(ratio, error)| {
         (PRIOR_RATIO * ratio / (RATIO_SCATTER.powi(2) + error.powi(2))).clamp(-MOST_BY_SHAPE, MOST_BY_SHAPE)
     });

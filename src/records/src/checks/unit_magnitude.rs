@@ -29,7 +29,7 @@ pub(crate) fn reject(records: &[Record], options: &Options) -> Result<(), Record
     // If most tests have an implausible current, the unit of the whole logger is wrong. The few small currents are then
     // those of a valve without current.
     let is_of_few = large.len() <= small.len();
-    // If the user names another setting than the current, values called a current are none.
+    // If the user states that the setting is another quantity than a current, a column named current is not a current.
     let is_current = options.settings.name.as_deref().is_none_or(|name| name == "current");
     let is_questioned = is_current && !insisted(Channel::Current);
     if largest > MOST_CURRENT && usual > 0.0 && is_of_few && is_questioned {
@@ -212,7 +212,8 @@ mod tests {
         assert!(at(800.0, &none).contains("--unit current=mA, or --unit current=A to insist"), "{}", at(800.0, &none));
         assert!(at(-1600.0, &none).contains("1600 A"));
         assert_eq!([at(10.0, &none), at(800.0, &insists)], ["", ""]);
-        // A profile that names the current and its unit does not say how a file wrote it.
+        // A profile that states the setting `current` and its unit does not state the unit in the files. The check
+        // therefore still applies.
         let named = |name: &str| {
             let mut options = Options::default();
             options.settings.name = Some(name.into());

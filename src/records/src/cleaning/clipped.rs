@@ -65,7 +65,7 @@ struct FlatTop {
 }
 
 impl FlatTops {
-    /// Makes the clipped samples of a channel with `n` samples from its flat tops.
+    /// Marks the samples of the flat tops `runs` as clipped, in a channel with `n` samples.
     fn of(n: usize, runs: Vec<FlatTop>) -> FlatTops {
         let mut tops = FlatTops { clipped: vec![false; n], first: n, ..FlatTops::default() };
         for run in &runs {
@@ -106,9 +106,9 @@ fn moved_so(channel: Channel, time: &[f64], other: &[f64], top: &FlatTop) -> boo
 
 /// Handles clipped channels. Returns for each sample whether its force is clipped and thus unusable.
 ///
-/// The motion is valid at clipped force samples, so the caller drops them after completing the motion. A clipped motion
-/// channel is dropped if the other motion channel can replace it. Few equal samples are only a rounded peak if other
-/// tests go further. `reach` is the range of the motion over all tests of the campaign.
+/// The motion is valid at clipped force samples, so the caller drops these samples only after completing the motion. A
+/// clipped motion channel is dropped if the other motion channel can replace it. A few equal samples count as a rounded
+/// peak, not as clipped, if other tests exceed them. `reach` is the range of the motion over all tests of the campaign.
 ///
 /// # Errors
 /// [`SampleError::Clipped`] if too many force samples are clipped, or if the only motion channel is clipped.

@@ -20,9 +20,10 @@ pub(crate) fn calibrate(samples: &mut Samples, options: &Options) {
     }
 }
 
-/// Applies the corrections of the options, in the file's own directions, with a note for each.
+/// Applies the corrections of the options, with the signs of the file, and adds a note for each.
 ///
-/// Returns the range of the remaining samples. The delay correction leaves the other samples without a motion.
+/// Returns the range of the remaining samples. The delay correction removes the samples without a motion recorded
+/// `delay_s` seconds earlier.
 pub(crate) fn apply(motion: &mut CompleteTest, options: &Options) -> std::ops::Range<usize> {
     let mut note = |text: Sentence| motion.notes.push(Note { kind: "corrected", text });
     if options.force_zero_n != 0.0 {

@@ -199,8 +199,8 @@ pub(super) fn candidates(time: &[f64], x: &[f64], threshold: f64) -> Vec<Cycle> 
         .map(|pair| {
             let ((start, start_time), (end, end_time)) = (pair[0], pair[1]);
             let inside = &x[start..end];
-            // The extremes are those of the motion if spikes have been removed. While a record is split into tests, a
-            // spike may still change them.
+            // If spikes have been removed, the extremes are those of the motion. While a record is split into tests, a
+            // spike may still change the extremes.
             let (low, high) = inside.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), &v| (l.min(v), h.max(v)));
             Cycle { start, end, start_time, end_time, low, high }
         })
@@ -261,8 +261,8 @@ fn crossings(time: &[f64], x: &[f64], turns: &[usize]) -> Vec<(usize, f64)> {
             _ => continue,
         };
         let flank = low..=high;
-        // The standstill before the first flank and after the last may lie at the mean. Use the crossing closest to the
-        // motion.
+        // The standstill before the first flank or after the last flank may lie at the level of the crossing. Use the
+        // crossing closest to the motion.
         let below = if last {
             flank.clone().find(|&i| x[i] >= mean).map(|i| i.saturating_sub(1).max(low))
         } else {

@@ -11,7 +11,8 @@ use crate::tuning::gaps::{AROUND, BEYOND, LONGER, TURNS};
 use dashpot_messages::{Sentence, format_decimals};
 use std::ops::Range;
 
-/// Splits a test at its gaps, without pieces of too few samples. Inserts a note about the gaps before the other notes.
+/// Splits a test at its gaps, and removes pieces with too few samples. Inserts a note about the gaps before the other
+/// notes.
 pub(crate) fn split(mut samples: Samples) -> Vec<Samples> {
     let gaps = find(&samples.time);
     if gaps.is_empty() {

@@ -15,8 +15,8 @@ pub(crate) fn drop_stale(samples: &mut Samples) {
     let time = &samples.time;
     let mut back = (1..time.len()).filter(|&i| time[i] < time[i - 1]);
     let (Some(first), None) = (back.next(), back.next()) else { return };
-    // If the clock steps back, but not to before the first row, rows are out of order, not stale. More rows than the
-    // fraction [`STALE`] may be a separate test.
+    // If the clock steps back, but not to before the first row, the rows are out of order and not from an earlier run.
+    // Rows from an earlier run that exceed the fraction [`STALE`] may be a separate test.
     if time[first] >= time[0] || first as f64 > STALE * time.len() as f64 {
         return;
     }

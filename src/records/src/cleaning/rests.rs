@@ -240,7 +240,7 @@ fn tests(time: &[f64], x: &[f64], moving: Vec<Range<usize>>, still: f64) -> (Vec
     for group in groups {
         let cycles = cycles::find(&time[group.samples.clone()], &x[group.samples.clone()]);
         match tests.last_mut() {
-            // Two motions without cycles may be one test, so they stay together.
+            // Two consecutive motions without cycles may be one test, so join them.
             Some(last) if cycles.is_empty() && found.last().is_some_and(Vec::is_empty) => {
                 last.samples.end = group.samples.end;
                 (last.low, last.high) = (last.low.min(group.low), last.high.max(group.high));

@@ -56,8 +56,8 @@ pub(crate) fn setting_channel(samples: &mut Samples, rules: &SettingRules) -> Op
     }
 }
 
-/// Reciprocal of the largest fraction of a test that may be cut off at its start. If the setting moves for longer, its
-/// motion is the test.
+/// Reciprocal of the largest fraction of a test that may be cut off at its start. If the setting changes for longer,
+/// the change is the purpose of the test.
 ///
 /// Test: `the_start_of_a_slow_supply_is_cut_off_and_steps_stay`.
 const START: usize = 2;

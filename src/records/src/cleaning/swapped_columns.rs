@@ -55,8 +55,8 @@ pub(crate) fn reject(samples: &Samples, options: &Options) -> Result<(), RecordE
         .with("displacement", format_decimals(1e3 * move_range, 1))
         .with("force", format_decimals(force_range, 3));
     let rougher = roughness(x) > ROUGHER * roughness(&samples.force);
-    // Exchanged channels show in this combination of evidence. The displacement ranges over more than 1 m
-    // ([`LONGEST`]), the force over less than 500 N, and the force is smoother.
+    // These conditions together indicate exchanged channels. The displacement ranges over more than 1 m ([`LONGEST`]),
+    // the force over less than 500 N, and the displacement is rougher than the force.
     if move_range > LONGEST && force_range < 500.0 && rougher {
         return Err(error(
             Channel::Displacement,
@@ -237,8 +237,9 @@ mod tests {
         assert!(reject(&samples, &options).is_ok());
     }
 
-    /// Returns whether the displacement is rejected as a force. It has the given `range`, m, and `times` the roughness
-    /// of the force. The recorded velocity is that of the displacement, so it is no evidence.
+    /// Returns whether the displacement is rejected as a force. The displacement has the given `range`, m, and `times`
+    /// the roughness of the force. The recorded velocity is the derivative of the displacement, so it is no evidence of
+    /// an exchange.
     fn is_rejected(range: f64, times: f64) -> bool {
         let phase = |i: usize| std::f64::consts::TAU * i as f64 / 400.0;
         // The eleventh harmonic increases the third differences by 11³ and hardly changes the range.

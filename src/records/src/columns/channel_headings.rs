@@ -1,5 +1,5 @@
-//! Headings of each channel, in the languages of test rigs. All are in lower case, without unit and accents, with blanks
-//! between the words.
+//! Headings of each channel, in the languages of test rigs. All are in lower case, without unit and accents, with
+//! blanks between the words.
 
 use crate::quantities::channel::Channel;
 use crate::quantities::setting_value::CLICKS;

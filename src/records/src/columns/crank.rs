@@ -19,7 +19,7 @@ const ANGLES: [&str; 11] = [
     "angle vilebrequin",
     "曲柄转角",
 ];
-/// Names of the speed of the crank.
+/// Names of the entry above the table that states the speed of the crank.
 const SPEEDS: [&str; 10] = [
     "speed",
     "crank speed",

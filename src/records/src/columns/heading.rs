@@ -61,7 +61,7 @@ const TESTS: [&str; 27] = [
     "测试编号",
     "试验名称",
 ];
-/// Words that follow a word of [`TESTS`].
+/// Words that may follow a word of [`TESTS`] in a heading, such as `id` in `Test ID`.
 const OF_A_TEST: [&str; 15] = [
     "id",
     "no",
@@ -161,7 +161,7 @@ const SENSORS: [&str; 15] = [
     "messung",
 ];
 
-/// Headings of a clock that contain the unit of its count.
+/// Headings of a time column that are the name of a unit, such as `millis`, and this unit.
 const CLOCKS: [(&[&str], Unit); 3] = [
     (&["seconds", "secs", "sekunden", "secondes", "segundos", "secondi"], Unit::Second),
     (&["millis", "milliseconds", "millisekunden", "millisecondes"], Unit::Millisecond),
@@ -461,8 +461,8 @@ pub(crate) fn nearest_to<'a>(channel: Channel, found: &[&'a str]) -> Option<&'a 
     known.filter_map(|h| nearest(h, found.iter().copied().take(COMPARED))).next()
 }
 
-/// Returns the edit distance of two texts with exchange of neighboring letters (Damerau 1964). Long texts have an
-/// infinite distance.
+/// Returns the edit distance of two texts, in which an exchange of neighboring letters is one edit (Damerau 1964).
+/// Returns `usize::MAX` for texts of more than `LONG` characters.
 fn distance(a: &str, b: &str) -> usize {
     /// Length of a long text, above that of any heading. Limits the computing time for malicious files.
     const LONG: usize = 64;
@@ -521,7 +521,7 @@ fn classify(words: &[String], unit: HeadingUnitText<'_>) -> Heading {
         }
         _ => {}
     }
-    // Microcontroller boards write clock headings that contain the unit of the count.
+    // Microcontroller boards write time headings that are only the name of a unit.
     if unit.is_none()
         && let Some((_, unit)) = CLOCKS.iter().find(|(names, _)| names.contains(&name.as_str()))
     {

@@ -94,7 +94,7 @@ fn maybe(near: Option<&str>) -> Option<Sentence> {
     near.map(|near| Sentence::from(phrases::MEANT).with("near", near))
 }
 
-/// Header of a table, with what the assignment of its columns needs.
+/// Header of a table, with the data for the assignment of its columns to channels.
 struct Header<'a> {
     at: &'a Place,
     /// Line of the header in the file, for messages.
@@ -136,7 +136,7 @@ impl<'a> Header<'a> {
         self.units.get(index).map(|unit| unit.trim().trim_matches(|c| "[]()".contains(c)))
     }
 
-    /// Returns whether the table has headings of its own.
+    /// Returns whether the file contains headings. Otherwise, `texts` contains the names from [`numbered`].
     fn is_headed(&self) -> bool {
         self.texts.iter().zip(numbered(self.texts.len())).any(|(own, number)| *own != number)
     }
@@ -174,13 +174,13 @@ impl<'a> Header<'a> {
         others.any(|(_, wanted)| wanted_column(wanted, &self.texts).contains(&index))
     }
 
-    /// Returns the free columns whose heading names a channel.
+    /// Returns the columns whose heading names a channel, except columns that the user names for another channel.
     fn find_named(&self, channel: Channel) -> Vec<usize> {
         let is_named = |i: &usize| matches!(&self.headings[*i], Heading::Channel(c, _) if *c == channel);
         (0..self.texts.len()).filter(|i| is_named(i) && !self.is_taken(*i, channel)).collect()
     }
 
-    /// Returns the free columns whose unit indicates a channel.
+    /// Returns the columns whose unit indicates a channel, except columns that the user names for another channel.
     fn find_by_unit(&self, channel: Channel) -> Vec<usize> {
         let speaks = |i: &usize| by_unit(self.texts[*i], self.unit_below(*i)) == Some(channel);
         (0..self.texts.len()).filter(|i| speaks(i) && !self.is_taken(*i, channel)).collect()

@@ -52,8 +52,8 @@ impl Lot {
         self.count += lines.len();
     }
 
-    /// Returns a note about the lines. Returns their fault instead if `few` is set and they are too many for stray
-    /// lines.
+    /// Returns a note about the lines. Returns their fault instead if `few` is set and the lines are too many to be
+    /// stray lines.
     fn tell(self, rows: usize, few: bool, template: Template) -> Result<Option<Sentence>, RecordError> {
         /// Number of stray lines that any test may have, and number of rows per stray line in long tests. The larger
         /// allowance applies. More lines indicate that the table does not match its heading.
@@ -80,7 +80,7 @@ struct Foot {
     line: usize,
     text: String,
     fault: RecordError,
-    /// Line numbers if the text may be a remark between rows: it contains no numbers, headings or units.
+    /// Line numbers of the text if it may be a remark between rows. A remark contains no numbers, headings or units.
     remarks: Option<Vec<usize>>,
 }
 
@@ -137,7 +137,7 @@ impl NonDataLines {
     /// Adds notes to the tests of a table about the lines that were not read.
     ///
     /// # Errors
-    /// The fault of the lines, if they are too many for stray lines.
+    /// The fault of the lines of one kind, if these lines are too many to be stray lines.
     pub fn report(self, rows: &mut Rows) -> Result<(), RecordError> {
         for (line, text) in self.labels {
             rows.note("ignored", Sentence::from(phrases::BELOW_HEADING).with("line", line).with("text", text));

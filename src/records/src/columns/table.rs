@@ -143,7 +143,7 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
     })
 }
 
-/// Rows collected under one layout.
+/// Rows of a table whose columns have one layout.
 pub(crate) struct Rows {
     at: Place,
     name: String,

@@ -13,16 +13,16 @@ use dashpot_messages::{Sentence, format_decimals};
 const LEVEL: f64 = 0.03;
 /// Tolerance of a level in standard deviations of the noise (see [`LEVEL`]).
 const NOISE: f64 = 4.0;
-/// Smallest difference of successive levels, in tolerances, of a signal that consists of steps. The apparent levels of
-/// a ramp differ by less, so a ramp counts as varying.
+/// Smallest difference of successive levels, in multiples of the tolerance, at which a signal consists of steps. The
+/// apparent levels of a ramp differ by less, so a ramp counts as varying.
 const APART: f64 = 3.0;
-/// Largest deviation from a level, in tolerances, of samples between two equal levels at which the two count as one
-/// level.
+/// Largest deviation, in multiples of the tolerance, of samples between two equal levels at which both levels count as
+/// one. The deviation is that from the second level.
 const OUTLIER: f64 = 2.0;
 /// Smallest number of samples of a level. A supply in transition gives fewer nearly equal samples.
 const STAYS: usize = 5;
-/// Smallest fraction of samples at levels of a signal that consists of steps. The other samples may be transitions of a
-/// slow supply.
+/// Smallest fraction of samples that must belong to levels in a signal of steps. The other samples may be transitions
+/// of a slow supply.
 const COVERED: f64 = 0.9;
 
 /// Pattern of a setting that changes within a test.
@@ -63,7 +63,7 @@ pub struct SettingSignal {
     #[serde(skip)]
     pub values: Vec<f64>,
     /// Mean number of samples between two known values of the channel; 1 if no value is missing. The instant of a step
-    /// is known to this number of samples.
+    /// is uncertain by this number of samples.
     #[serde(skip, default = "every_sample")]
     pub spacing: f64,
 }
@@ -173,7 +173,8 @@ struct Smoothed {
     width: usize,
 }
 
-/// Smooths a signal with the shortest running median that reduces the noise below the tolerance by [`LEVEL`].
+/// Smooths a signal with the shortest running median after which [`NOISE`] standard deviations of the noise are within
+/// the tolerance by [`LEVEL`]. The median is at most [`SMOOTHED`] samples wide.
 fn without_noise(values: &[f64]) -> Smoothed {
     let smooth = |width: usize| -> Vec<f64> {
         let at = |k: usize| {

@@ -21,8 +21,8 @@ pub struct TestMetadata {
     pub rig: Option<String>,
 }
 
-/// Names of the entry of the part, without accents, in lower case, with blanks between the words. The lists of the
-/// other entries have the same form.
+/// Names of the entry that states the part: without accents, in lower case, with blanks between the words. The lists of
+/// the names of other entries have the same form.
 const PART: &[&str] = &[
     "part",
     "part no",

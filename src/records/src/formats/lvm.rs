@@ -49,7 +49,7 @@ impl Packet<'_> {
         (1..self.names.len()).find_map(|k| number(self.said(key, k), true).filter(|v| v.is_finite()))
     }
 
-    /// Charges the budget for the lookup of keys for every name, and of names for every row.
+    /// Charges the budget for searching the keys for each column name, and each row for each column.
     fn charge(&self, budget: &Budget) -> Result<(), Exhausted> {
         let visits = self.names.len().saturating_mul(4 * self.keys.len() + self.rows.len());
         budget.work(10 * visits as u64)

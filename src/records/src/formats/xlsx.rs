@@ -115,7 +115,7 @@ fn open(source: &Source) -> Result<Xlsx<archive::Metered<'_>>, String> {
     Xlsx::new(metered).map_err(|e: calamine::XlsxError| e.to_string())
 }
 
-/// Copies a cell's value. Charges its text, because thousands of cells may share one text.
+/// Copies a cell's value. Charges its text to the budget, because thousands of cells may share one text.
 fn copied(cell: &DataRef<'_>, budget: &Budget) -> Result<Data, Exhausted> {
     let text = match cell {
         DataRef::SharedString(text) => text.len(),
@@ -224,7 +224,7 @@ impl<'a> Sheet<'a> {
         Ok(true)
     }
 
-    /// Adds a row below the header, which may be no row of the table. `line` counts from 1.
+    /// Processes a row below the header, which is a row of the table or another line. `line` counts from 1.
     fn add_row(&mut self, line: usize, row: &[Data]) -> Result<(), RecordError> {
         let Some(rows) = &mut self.rows else { return Ok(()) };
         let columns = &rows.layout().columns;

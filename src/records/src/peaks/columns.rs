@@ -451,8 +451,11 @@ fn by_name(index: usize, cells: &[String]) -> String {
     if name.is_empty() || alike > 1 { (index + 1).to_string() } else { format!("\"{name}\"") }
 }
 
-/// Returns the velocity that belongs to the force `of`: the only one, or the only one whose heading names only the
-/// quantity and its stroke. Otherwise, the error requests a column.
+/// Returns the velocity column that belongs to the force column `of`. It is the only velocity column, or the only one
+/// whose heading contains nothing but the quantity and its stroke.
+///
+/// # Errors
+/// A request to name the velocity column, if there is no such column or if several columns are possible.
 fn one<'a>(velocities: &[&'a Candidate], cells: &[String], of: &Candidate) -> Result<&'a Candidate, String> {
     let plain: Vec<&Candidate> = velocities.iter().filter(|c| c.plain).copied().collect();
     let force = cells.get(of.index).map_or("", |c| c.trim());

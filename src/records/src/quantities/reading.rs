@@ -26,7 +26,7 @@ impl Reading {
         Reading::in_unit([value, low, high].map(|number| factor * number), &unit)
     }
 
-    /// Formats a value and the ends of its interval that are in the unit of the text.
+    /// Formats a value and the ends of its interval, which are already in the unit `unit`.
     pub fn in_unit([value, low, high]: [f64; 3], unit: &str) -> Reading {
         // Digits after the first two of the interval's half width are not significant.
         let half = 0.5 * (high - low).abs();
@@ -69,7 +69,8 @@ pub fn digits(value: f64, significant: i32) -> String {
     format!("{mantissa}\u{b7}10{}", superscript(exponent))
 }
 
-/// Formats a round number, such as one of a proposed test: two significant digits without trailing zeros or a power of ten.
+/// Formats a round number, such as one of a proposed test. The text has two significant digits without trailing zeros,
+/// and no power of ten.
 pub fn round_figure(value: f64) -> String {
     if value == 0.0 || !value.is_finite() {
         return "0".to_owned();

@@ -54,8 +54,8 @@ impl SettingRules {
         Ok(())
     }
 
-    /// Returns what the rules state for a test, or `None` if no rule applies to it. The name of the test precedes a
-    /// pattern, and a longer pattern precedes a shorter one.
+    /// Returns what the rules state for a test, or `None` if no rule applies to it. A rule with the exact name of the
+    /// test has precedence over a pattern, and a longer pattern over a shorter one.
     pub(crate) fn find(&self, test: &str) -> Option<&StatedSetting> {
         let matching = self.values.iter().filter(|(pattern, _)| glob::matches(pattern, test));
         matching.max_by_key(|(pattern, _)| (*pattern == test, pattern.chars().count())).map(|(_, stated)| stated)
@@ -92,7 +92,7 @@ mod tests {
         ]);
         let of = |name: &str| given.setting_of(name).map(|s| s.value);
         assert_eq!((of("a_hard"), of("a_soft"), of("b_hard2")), (Some(1.6), Some(0.0), Some(0.4)));
-        // The whole name precedes a pattern with more characters than the name.
+        // The exact name has precedence over a pattern with more characters than the name.
         assert_eq!(of("a_hard2"), Some(0.8));
         assert_eq!((of("warm"), given.find("warm")), (None, Some(&StatedSetting::Without)));
         assert_eq!((SettingRules::default().setting_of("a"), SettingRules::default().find("a")), (None, None));

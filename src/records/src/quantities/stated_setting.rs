@@ -54,7 +54,8 @@ impl StatedSetting {
         if own.is_empty() {
             unit.clone_into(&mut setting.unit);
         } else if let Some((_, base, _)) = setting_in_unit(own) {
-            // Clicks have no unit, and the conversion to an empty unit keeps the unit.
+            // Clicks have an empty unit, and the conversion to an empty unit keeps the stated unit. Therefore, also set
+            // the unit.
             restate_in_unit(&mut setting.unit, base, [&mut setting.value]);
             base.clone_into(&mut setting.unit);
         }

@@ -15,8 +15,8 @@ use dashpot_messages::Sentence;
 /// settings that differ only by scatter, and uses one unit for each setting. Adds notes about names that contradict
 /// channels, and about several settings.
 ///
-/// In a name, a number with a single letter may be the number of the test. If each name states another value, the names
-/// count only with decimals or with a unit of several letters.
+/// In a name, a number with a single letter may be the number of the test. If each name states a different value, the
+/// names count only with decimals or with a unit of several letters.
 pub(crate) fn assign_settings(records: &mut [Record], rules: &SettingRules, notes: &mut Vec<Note>) {
     merge_currents(records);
     merge_scattered(records);

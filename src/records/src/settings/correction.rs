@@ -46,7 +46,7 @@ pub fn correct_setting(
     let name = match &rules.name {
         Some(name) => name.clone(),
         None => {
-            // The name of the rules is that of every column of the setting, so it would rename other settings.
+            // The name in the rules applies to every setting column, so it would rename other settings.
             let names: BTreeSet<&str> = known().map(|(name, _)| name).collect();
             if names.len() > 1 {
                 let names = names.into_iter().collect::<Vec<_>>().join(", ");
@@ -121,7 +121,7 @@ mod tests {
             // The name of a test does not count if the rules state that it has no setting.
             assert_eq!(found[0].as_ref().map(|of| of.value), value, "{typed}");
             assert_eq!(found[1].as_ref().map(|of| (of.value, of.unit.as_str())), Some((0.8, "A")), "{typed}");
-            // The unit of the columns stays as their headings state it.
+            // The unit in the rules stays empty, so that the headings still state the units of their columns.
             assert_eq!((rules.name.as_deref(), rules.unit.as_str(), rules.values.len()), (Some("current"), "", 1));
         }
         // A rule of the profile keeps its unit, and a second correction replaces the first.

@@ -25,8 +25,9 @@ const TIMES: f64 = 1.5;
 /// than [`TIMES`]. A fine ratio counts only if it gives the same number of settings in every motion. Warming and wear
 /// give different numbers in different motions.
 const STEPS: [f64; 4] = [1.12, 1.2, 1.3, TIMES];
-/// Smallest ratio of the distances to the second nearest and the nearest setting at which a test of another motion
-/// belongs to the nearest. A distance is the absolute natural logarithm of the ratio of the damping forces.
+/// Smallest ratio of two distances at which a test of another motion is assigned to the nearest setting. The ratio is
+/// that of the distance to the second nearest setting to the distance to the nearest. A distance is the absolute
+/// natural logarithm of the ratio of the damping forces.
 const NEARER: f64 = 2.0;
 /// Largest difference of side force, N, and of temperature, K, between equal motions. A larger difference may explain
 /// different forces of one damper, so such tests are not compared.

@@ -78,9 +78,9 @@ pub(crate) fn cause(motions: &[CompleteTest], feeding: &[usize]) -> Cause {
     }
 }
 
-/// Returns the delay with the smallest unexplained variance, among the delays that meet a condition. With such a delay,
+/// Returns the delay with the smallest unexplained variance, among the delays that meet two conditions. With the delay,
 /// no test clearly feeds energy to the rig, and at least one test clearly dissipates energy. Returns `None` if no delay
-/// meets this condition. In the tests with the indices `turned`, the sign of the force is reversed first.
+/// meets both conditions. In the tests with the indices `turned`, the sign of the force is reversed first.
 fn best(tests: &[Thinned<'_>], turned: &[usize]) -> Option<Delay> {
     if tests.is_empty() {
         return None;

@@ -11,7 +11,7 @@ pub(crate) struct DelayedMotion<'a> {
 }
 
 impl<'a> DelayedMotion<'a> {
-    /// Makes the shift by `delay` seconds for samples at the times `time`, s.
+    /// Prepares a shift of channels by `delay` seconds. `time` contains the times of the samples, s.
     pub fn new(time: &'a [f64], delay: f64) -> DelayedMotion<'a> {
         let (first, last) = (time.first().copied().unwrap_or(0.0), time.last().copied().unwrap_or(0.0));
         let from = time.partition_point(|t| t - delay < first);

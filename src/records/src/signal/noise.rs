@@ -51,7 +51,7 @@ struct Deviation {
     weights: [f64; 2],
 }
 
-/// Removes the effect of a small time shift of the whole cycle from its deviations.
+/// Removes the effect of a small time shift of the whole cycle from the deviations `run`.
 ///
 /// Without speed control, the period of a drive varies by a fraction of a sample. On a steep flank, the shift would
 /// count as noise.
@@ -162,8 +162,8 @@ fn cycle_repeat(time: &[f64], force: &[f64], cycles: &[Cycle]) -> Option<Noise> 
     if d0 == 0.0 {
         return Some(Noise { force_rms: 0.0, lag1: 0.0, from: NoiseSource::CycleRepeat });
     }
-    // The noise has the variance c0 and the autocorrelation r at lag 1 (r² at lag 2). The expected second moments D0 and
-    // D1 at lags of 0 and 1 sample are then:
+    // The noise has the variance c0 and the autocorrelation r at lag 1 (r² at lag 2). The expected second moments D0
+    // and D1 at lags of 0 and 1 sample are then:
     //   D0 = c0 (1 + same + 2 cross r),   D1 = c0 (r + same r + cross (1 + r²)).
     // D1/D0 increases with r, so bisection finds r.
     let ratio = d1 / d0;

@@ -1,7 +1,8 @@
-//! Channels whose unit explains a contradiction between displacement and velocity.
+//! Finds the channels for which another unit explains a contradiction between displacement and velocity.
 //!
-//! The derivative of the displacement has a unit of length and a unit of time. A wrong unit of displacement, velocity or
-//! time therefore gives the same ratio. Only the resulting test distinguishes the causes.
+//! The derivative of the displacement has a unit of length and a unit of time. A wrong unit of displacement, velocity
+//! or time therefore changes the ratio of velocity and derivative alike. Only the size and frequency of the resulting
+//! test distinguish the causes.
 
 use std::f64::consts::TAU;
 
@@ -35,7 +36,7 @@ struct Candidate {
 }
 
 impl Candidate {
-    /// Frequency of a sine with this amplitude and peak velocity, Hz.
+    /// Returns the frequency, Hz, of a sine with this amplitude and peak velocity.
     fn frequency(&self) -> f64 {
         self.speed / (TAU * self.amplitude)
     }
@@ -94,8 +95,8 @@ fn of_channel(gain: f64, size: MotionSize, channel: Channel, read: Unit) -> impl
 mod tests {
     use super::*;
 
-    /// Sentences on a test of 25 mm and 0.262 m/s, which a rig wrote in `written` and the reader read in `read`: time,
-    /// displacement, velocity.
+    /// Returns the sentences for a test of 25 mm and 0.262 m/s. A rig wrote it in the units `written`, and the reader
+    /// assumed the units `read`. The units are those of time, displacement and velocity.
     fn explain(written: [Unit; 3], read: [Unit; 3]) -> Vec<String> {
         let factor = |k: usize| read[k].to_si(1.0) / written[k].to_si(1.0);
         let size = MotionSize { amplitude: 0.025 * factor(1), speed: 0.262 * factor(2) };
@@ -137,7 +138,7 @@ mod tests {
             "{found:?}"
         );
         assert!(found[1..].iter().any(|text| text.starts_with("the unit of time is ms where s was read")), "{found:?}");
-        // No unit of velocity is a thousand times that of m/s.
+        // No unit of velocity is a thousand times m/s.
         let found = explain([Second, Metre, MetrePerSecond], [Millisecond, Metre, MetrePerSecond]);
         assert_eq!(found.len(), 2, "{found:?}");
         assert!(found[1].contains("0.0250 mm at 1668 Hz"), "{found:?}");

@@ -1,5 +1,6 @@
-//! The label of another setting as the explanation of a test that deviates from the reference, the largest set of
-//! agreeing tests at its setting.
+//! Finds tests whose deviation is explained by a wrong label: the forces are those of another setting.
+//!
+//! A test deviates from the reference of its setting, which is the largest set of agreeing tests at this setting.
 
 use super::Seen;
 use super::reference::Reference;
@@ -48,15 +49,15 @@ impl<'a> Labels<'a> {
     /// Returns the setting whose tests agree best with a test that deviates from the tests of its own setting `stated`.
     ///
     /// `place` is the index of the test. Returns `None` if the test states no setting, agrees with no other setting, or
-    /// does not clearly deviate from its own setting. Also returns `None` if its motion deviates alike at other
-    /// settings.
+    /// does not clearly deviate from its own setting. Also returns `None` if the deviation is attributed to the motion,
+    /// because tests with this motion deviate similarly at other settings.
     pub(super) fn find_wrong(&self, stated: usize, place: usize) -> Option<WrongLabel> {
         let test = &self.settings[stated][place];
         let name = &test.record.setting.as_ref()?.name;
         let own = self.own[stated][place]?;
         let is_clear = own.abs() > (TIMES_SCATTER * self.scatter).max(LEAST_CONTRAST);
         let is_of_motion = match self.same_motion_elsewhere(stated, test) {
-            // If no test at another setting has this motion, only a large deviation is not attributed to the motion.
+            // If no test at another setting has this motion, a deviation below [`AGREE`] is attributed to the motion.
             others if others.is_empty() => own.abs() < AGREE,
             others => {
                 let alike = others.iter().filter(|other| *other * own > 0.0 && 3.0 * other.abs() > own.abs()).count();
@@ -78,8 +79,8 @@ impl<'a> Labels<'a> {
         candidates.filter(|candidate| candidate.left < most).min_by(|a, b| a.left.total_cmp(&b.left))
     }
 
-    /// Returns the deviations of the tests at other settings with the motion of `test`, each from the tests of its own
-    /// setting, as natural logarithms.
+    /// Returns the deviations of the tests that have the motion of `test` but another setting. Each deviation is from
+    /// the reference of the test's own setting, as a natural logarithm of the force ratio.
     fn same_motion_elsewhere(&self, stated: usize, test: &Seen<'_>) -> Vec<f64> {
         let elsewhere = self.settings.iter().zip(&self.own).enumerate().filter(|(setting, _)| *setting != stated);
         elsewhere

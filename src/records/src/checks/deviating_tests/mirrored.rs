@@ -1,4 +1,4 @@
-//! Labels that count from the other end of the settings, judged for all tests of a motion together.
+//! Finds labels that count the settings from the other end. All tests of one motion are judged together.
 //!
 //! The tests of one motion at several settings show how the force depends on the setting. Two motions with common
 //! velocities have the same dependence, because they are of one damper. If the labels of one motion count from the
@@ -11,12 +11,12 @@ use crate::quantities::setting_value::{SAME, Setting};
 use crate::tuning::deviating_tests::{LEAST_CONTRAST, OF_OWN, REPEATED};
 use std::collections::BTreeMap;
 
-/// Tests of one motion.
+/// Tests with about the same motion: equal amplitude and peak velocity.
 struct MotionTests {
     /// Index of the setting and index of the test within the setting.
     tests: Vec<(usize, usize)>,
-    /// Natural logarithms of the forces against the motion, N, of the tests at a setting, by velocity level and index
-    /// of the setting. A repeated test adds a force.
+    /// Natural logarithms of the forces against the motion, N. The key consists of the velocity level and the index of
+    /// the setting. Each test at a setting adds one value.
     forces: BTreeMap<(i32, usize), Vec<f64>>,
 }
 
@@ -36,7 +36,8 @@ pub(super) fn mirror(settings: &[Vec<Seen<'_>>]) -> Vec<Option<usize>> {
 
 /// Returns the tests whose labels count from another end than those of most tests.
 ///
-/// Each test is given by the index of its setting and its index within the setting. If half of the tests count from each end, the half without the first motion is returned.
+/// Each test is stated by the index of its setting and its index within the setting. If half of the tests count from
+/// each end, the half without the first motion is returned.
 pub(super) fn mirrored_tests(settings: &[Vec<Seen<'_>>], mirror: &[Option<usize>]) -> Vec<(usize, usize)> {
     let motions = motions(settings);
     let count = motions.len();
@@ -52,7 +53,8 @@ pub(super) fn mirrored_tests(settings: &[Vec<Seen<'_>>], mirror: &[Option<usize>
         }
     }
     let clear = |[as_stated, otherwise]: &[f64; 2]| libm::log((otherwise + REPEATED) / (as_stated + REPEATED));
-    // Directions are assigned along the clearest pairs first. Each pair then joins two groups of motions or is ignored.
+    // Process the clearest pairs first. Each pair joins two groups of motions, or is ignored if both motions are
+    // already in one group.
     pairs.sort_by(|x, y| clear(&y.2).abs().total_cmp(&clear(&x.2).abs()).then((x.0, x.1).cmp(&(y.0, y.1))));
     let mut group: Vec<usize> = (0..count).collect();
     let mut is_turned = vec![false; count];
@@ -67,7 +69,8 @@ pub(super) fn mirrored_tests(settings: &[Vec<Seen<'_>>], mirror: &[Option<usize>
         }
         group.iter_mut().filter(|of| **of == joined).for_each(|of| *of = kept);
     }
-    // In each group, fewer tests are wrong than right. The first motion of a group is never turned up to here.
+    // At most half of the tests in a group are assumed to be wrong. So far, the first motion of each group counts as
+    // right. If the turned motions have more tests, the other motions are turned instead.
     for of in 0..count {
         let tests = |turned: bool| -> usize {
             let own = (0..count).filter(|motion| group[*motion] == of && is_turned[*motion] == turned);
@@ -77,7 +80,7 @@ pub(super) fn mirrored_tests(settings: &[Vec<Seen<'_>>], mirror: &[Option<usize>
             (0..count).filter(|motion| group[*motion] == of).for_each(|motion| is_turned[motion] ^= true);
         }
     }
-    // A motion is mirrored if that clearly lowers its disagreement with the others.
+    // A motion is returned only if mirroring its labels clearly reduces its disagreement with the other motions.
     let is_clear = |motion: usize| {
         let own = pairs.iter().filter(|(a, b, _)| *a == motion || *b == motion);
         let (mut now, mut before) = (0.0, 0.0);
@@ -117,10 +120,13 @@ fn motions(settings: &[Vec<Seen<'_>>]) -> Vec<MotionTests> {
     motions
 }
 
-/// Returns the mean differences of the force ratios between settings of two motions, as natural logarithms.
+/// Returns the disagreement of two motions in the dependence of the force on the setting, with the labels as stated and
+/// mirrored.
 ///
-/// The first value is that with the labels as stated, the second that with the labels of one motion mirrored. Both are of the same tests, because a mean over fewer tests may be smaller by chance. Returns `None` if the motions
-/// share no velocity at two settings or more.
+/// The natural logarithm of the force ratio of the two motions would be equal at all settings without a disagreement.
+/// The disagreement is its mean absolute deviation from its median at each velocity level. The second value is that
+/// with the labels of one motion mirrored. Both values are computed from the same tests, because a mean over fewer
+/// tests may be smaller by chance. Returns `None` if no velocity level has two or more ratios.
 fn disagreements(one: &MotionTests, other: &MotionTests, mirror: &[Option<usize>]) -> Option<[f64; 2]> {
     // Differences of each velocity level, with the labels as stated and mirrored.
     let mut by_level: BTreeMap<i32, Vec<[f64; 2]>> = BTreeMap::new();

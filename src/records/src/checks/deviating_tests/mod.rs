@@ -9,11 +9,11 @@
 //! - A wrong unit of force, displacement, velocity or time changes the force by the ratio of two units.
 //! - With the label of another setting, the forces are those of the reference of that setting.
 //!
-//! Labels that count from the other end are found first, for all tests of a motion together, and are corrected for the
-//! comparisons above.
+//! Labels that count the settings from the other end are found first, for all tests of a motion together. They are
+//! corrected before the comparisons above.
 //!
-//! A wrong label is stated unless the residual with a wrong unit is smaller by [`AS_LIKELY`]. A wrong unit rejects the
-//! campaign. A wrong label gives a note, which also names a unit that would explain the forces.
+//! A wrong label is reported unless the residual with a wrong unit is smaller by [`AS_LIKELY`]. A wrong unit rejects
+//! the campaign. A wrong label adds a note, which also names a unit that would explain the forces.
 //!
 //! | Module | Contents |
 //! |---|---|
@@ -139,7 +139,7 @@ pub(crate) fn check(
     Ok(())
 }
 
-/// Tests of one setting with the forces of another one.
+/// Tests that state one setting but have the forces of another setting.
 #[derive(Default)]
 struct Labeled<'a> {
     tests: Vec<&'a Seen<'a>>,
@@ -172,13 +172,13 @@ fn by_setting(seen: Vec<Seen<'_>>) -> Vec<Vec<Seen<'_>>> {
     groups
 }
 
-/// Moves the tests whose labels count from the other end to the settings of their forces. A setting that would be left
-/// without a test keeps its tests.
+/// Moves each test whose label counts from the other end to the setting that its forces indicate. The last test of a
+/// setting is not moved, so that every setting has a test.
 fn correct_mirrored(settings: &mut [Vec<Seen<'_>>], mirror: &[Option<usize>]) {
     let mut moved = mirrored::mirrored_tests(settings, mirror);
     moved.sort_unstable();
     let mut taken = Vec::new();
-    // From the last test on, so that the indices of earlier tests stay valid.
+    // Iterate from the last test to the first, so that the indices of earlier tests stay valid.
     for (setting, place) in moved.into_iter().rev() {
         if let Some(to) = mirror[setting]
             && settings[setting].len() > 1
@@ -318,8 +318,9 @@ mod tests {
         checked.map_or_else(|e| e.to_string(), |()| notes.iter().map(|note| note.text.to_string()).collect())
     }
 
-    /// Makes tests of an adjustable damper. Its forces at a setting are those at the setting 0 times `ratio` to the
-    /// power of the setting. The label of a test is a function of its setting and of its index.
+    /// Makes tests of an adjustable damper at the settings `values`. An increase of the setting by one multiplies the
+    /// damping force by `ratio`. `label` returns the label of a test from its setting and its index among the tests of
+    /// this setting.
     fn adjustable(ratio: f64, values: &[f64], label: impl Fn(f64, usize) -> f64) -> Vec<Record> {
         let at = |value: f64| {
             let tests = campaign(450.0 * libm::pow(ratio, value), &PLAN[..6]);
@@ -380,8 +381,8 @@ mod tests {
         assert_eq!(said(&records, &Options::default()), "");
     }
 
-    /// A semi-active damper without gas, whose settings differ in force by a typical ratio of two units. A file in kN
-    /// is found by comparison with the tests at its own setting.
+    /// Checks a semi-active damper without gas. The forces at its settings differ by a typical ratio of two units. A
+    /// file in kN is found by comparison with the tests at its own setting.
     #[test]
     fn settings_are_told_by_their_own_tests() {
         let at = |value: f64| {

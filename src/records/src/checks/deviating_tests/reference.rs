@@ -7,8 +7,8 @@ use crate::tuning::deviating_tests::{AGREE, AS_LONG, OF_SCATTER};
 use crate::tuning::load_cell::OFFSET;
 use std::collections::BTreeMap;
 
-/// Returns the indices of the largest set of tests that are connected by agreement of pairs. A set may have only one
-/// test. The order is that of `seen`.
+/// Returns the indices of the largest connected set of tests. Two tests are connected if they agree, directly or
+/// through other tests. A set may have only one test. The indices are in ascending order.
 pub(super) fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     let mut set: Vec<usize> = (0..seen.len()).collect();
     fn root(set: &mut [usize], mut i: usize) -> usize {
@@ -80,30 +80,33 @@ impl<'a> Reference<'a> {
         Some(low + part * (self.curve.get(&(below as i32 + 1))? - low))
     }
 
-    /// Returns the highest velocity level common to a test and the others, as a pair of equal levels. If there is no
+    /// Returns the highest velocity level common to a test and the reference, as a pair of equal levels. If there is no
     /// common level, returns the two closest levels, first that of the test.
     pub(super) fn closest_levels(&self, test: &Seen<'_>) -> Option<(i32, i32)> {
         let pairs = test.levels.keys().flat_map(|k| self.curve.keys().map(move |other| (*k, *other)));
         pairs.min_by_key(|(k, other)| ((k - other).abs(), -k))
     }
 
-    /// Returns the deviations of a test from the others at their common velocities, as natural logarithms of the force
-    /// ratio. The test's forces and velocities are first scaled by the given factors.
+    /// Returns the deviations of a test from the reference at their common velocities, as natural logarithms of the
+    /// force ratio. The test's forces and velocities are first scaled by the given factors.
     pub(super) fn deviations(&self, test: &Seen<'_>, of_force: f64, of_velocity: f64) -> Vec<f64> {
         let shift = apart(of_velocity);
         let at = |(k, l): (&i32, &Level)| Some(libm::log(of_force * l.against) - self.usual(f64::from(*k) + shift)?);
         test.levels.iter().filter_map(at).collect()
     }
 
-    /// Returns whether some other test at a common velocity has at most about the given amplitude, m. [`AS_LONG`] is
-    /// the tolerance.
+    /// Returns whether the stroke of some reference test at a common velocity is not much longer than the given
+    /// `amplitude`, m. [`AS_LONG`] is the smallest allowed ratio of `amplitude` to the amplitude of that test.
     pub(super) fn are_as_short(&self, test: &Seen<'_>, amplitude: f64) -> bool {
         let with = |other: &&&Seen<'_>| test.levels.keys().any(|k| other.levels.contains_key(k));
         self.tests.iter().filter(with).any(|other| other.record.amplitude * AS_LONG <= amplitude)
     }
 
-    /// Returns whether a test's mean force of the two directions contradicts a factor on its force. It does if the
-    /// factor increases the deviation of this mean from that of the other tests beyond the acceptable deviation.
+    /// Returns whether the mean force of rebound and compression contradicts a multiplication of the test's force by
+    /// `factor`.
+    ///
+    /// This is so if the factor increases the deviation of the mean force from that of the reference, and the deviation
+    /// exceeds the acceptable value.
     pub(super) fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
         let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
         for (k, level) in &test.levels {
@@ -124,8 +127,8 @@ mod tests {
     use crate::data::record::Record;
     use crate::options::Options;
 
-    /// Calls `check` with the reference of three tests of 10 mm amplitude, whose mean forces of the two directions are
-    /// −100, −110 and −120 N, and with a test of −110 N.
+    /// Calls `check` with a reference and with a test. The reference consists of three tests of 10 mm amplitude, whose
+    /// mean forces of the two directions are −100, −110 and −120 N. The mean force of the test is −110 N.
     fn with_reference(check: impl Fn(&Reference<'_>, &Seen<'_>) -> bool) -> bool {
         let record = Record { amplitude: 0.01, ..Record::default() };
         let (options, units) = (Options::default(), Vec::new());

@@ -1,5 +1,6 @@
-//! Another unit as the explanation of a test that deviates from the reference, the largest set of agreeing tests at one
-//! setting.
+//! Finds a wrong unit that explains the deviation of a test from the reference.
+//!
+//! The reference is the largest set of agreeing tests at one setting.
 
 use super::Seen;
 use super::reference::Reference;
@@ -54,8 +55,8 @@ pub(super) fn find_wrong_unit(test: &Seen<'_>, reference: &Reference<'_>) -> Opt
     Some(WrongUnit { left: best.left, channel: best.channel, written: best.written, likely })
 }
 
-/// Evaluates another unit of a channel. Returns `None` unless the test agrees with the reference in that unit and the unit
-/// is plausible.
+/// Evaluates another unit of a channel. Returns `None` unless the test agrees with the reference in that unit and the
+/// unit is plausible.
 fn evaluate(
     test: &Seen<'_>,
     reference: &Reference<'_>,

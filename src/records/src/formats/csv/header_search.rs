@@ -111,8 +111,8 @@ pub(super) fn part_names(found: &mut Start, text: &str) {
     if !is_units_row(&units) || columns == found.header.len() || columns > MOST || words.len() > 4 * MOST {
         return;
     }
-    // Best split of the first words into a number of names: the number of known names, and the start of the last name.
-    // The indices are the number of names and the number of words.
+    // Best split of the first words into names: the number of known names, and the start of the last name. The first
+    // index is the number of names, and the second is the number of words.
     let mut best: Vec<Vec<Option<(usize, usize)>>> = vec![vec![None; words.len() + 1]; columns + 1];
     best[0][0] = Some((0, 0));
     for column in 1..=columns {

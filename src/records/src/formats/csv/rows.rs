@@ -185,7 +185,7 @@ fn is_comment_record(record: &ByteRecord) -> bool {
 }
 
 impl TableReader<'_> {
-    /// Adds a line of the table, which may be no row.
+    /// Processes a line below the heading, which is a row or another line.
     fn add(&mut self, record: &ByteRecord) -> Result<(), RecordError> {
         if is_comment_record(record) {
             return Ok(());
@@ -263,7 +263,7 @@ impl TableReader<'_> {
         self.beside.take(below_rows, line, &cells, has_figures, fault)
     }
 
-    /// Returns whether a row is usable in spite of fields after the columns of the heading, if there are any.
+    /// Returns whether a row is usable. Fields beyond the columns of the heading may make a row unusable.
     fn is_usable(&mut self, record: &ByteRecord, line: usize) -> bool {
         let (found, expected) = (record.len(), self.start.header.len());
         let surplus = || record.iter().skip(expected).map(String::from_utf8_lossy).filter(|f| !f.trim().is_empty());

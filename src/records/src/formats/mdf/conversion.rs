@@ -1,5 +1,5 @@
-//! Converts stored numbers to physical values by the numeric rules of MDF. Formulas and rules that give texts give no
-//! value.
+//! Converts stored numbers to physical values by the numeric rules of MDF. Formulas, and rules whose result is a text,
+//! have no value.
 
 use super::blocks::Mdf;
 

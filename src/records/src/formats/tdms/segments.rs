@@ -158,8 +158,8 @@ fn meta(
     Ok(())
 }
 
-/// Reads the data of a segment. Returns whether its last chunk is incomplete. A chunk contains the values of every
-/// object in sequence, or interleaved value by value.
+/// Reads the data of a segment. Returns whether its last chunk is incomplete. A chunk contains the values of all
+/// objects, either object after object or interleaved value by value.
 fn data(bytes: &[u8], flags: u32, objects: &mut [Object], active: &[usize], budget: &Budget) -> Result<bool, String> {
     // A segment that refers to an earlier list is short but costs as much as a segment with its own list.
     budget.work(10 * active.len() as u64)?;
