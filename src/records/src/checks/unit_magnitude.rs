@@ -304,7 +304,7 @@ mod tests {
             reject(&[record], &Options::default()).is_err()
         };
         assert!(!rejected(110.0, 2e-4) && rejected(210.0, 2e-4));
-        // With lengths a thousand times too small as well, the speed is that of a usual test.
+        // With lengths a thousand times too small as well, the speed is plausible.
         assert!(!rejected(500.0, 2.5e-5) && rejected(1667.0, 2.5e-5));
     }
 }

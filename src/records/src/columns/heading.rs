@@ -262,7 +262,7 @@ pub(crate) fn unit_of_current<'a>(text: &'a str, below: Option<&'a str>) -> Opti
     written_unit(text).or(below).filter(is_current)
 }
 
-/// Words for the share of time in which a valve gets its supply voltage, as in "duty cycle".
+/// Words for the fraction of time in which a valve gets its supply voltage, as in "duty cycle".
 const DUTY: [&str; 5] = ["duty", "dutycycle", "pwm", "tastgrad", "占空比"];
 
 /// Returns the unit of a column that may contain the setting of a valve in a unit that is not one of current, as

@@ -26,8 +26,8 @@ pub(crate) struct Layout {
     pub(super) ignored: Vec<String>,
     /// Columns assigned to a channel by their unit alone.
     pub(super) guessed: Vec<(Channel, String)>,
-    /// Columns that may contain the setting, of a table without a recognized setting: heading, unit, and the channel that
-    /// such a column is given.
+    /// Columns that may contain the setting, of a table without a recognized setting: heading, unit, and the channel to
+    /// which the note advises to assign the column.
     pub(super) unread_settings: Vec<(String, String, Channel)>,
     /// Time between samples that the user gives for files without a time column, s.
     pub(super) step: Option<f64>,
@@ -370,8 +370,8 @@ impl Assigned {
             .collect()
     }
 
-    /// Lists the columns that may contain the setting, of a table whose setting is not read: those in a unit of current, and
-    /// commands to a valve in another unit.
+    /// Lists the columns that may contain the setting, of a table whose setting is not read. They are columns in a unit
+    /// of current, and commands to a valve in another unit.
     fn list_unread_settings(&self, header: &Header) -> Vec<(String, String, Channel)> {
         if self.has(Channel::Current) || self.has(Channel::Setting) || header.options.ignore.contains(&Channel::Current)
         {

@@ -11,7 +11,7 @@ use serde::{Deserialize, Deserializer, Serialize};
 use std::collections::BTreeSet;
 use std::sync::{Mutex, PoisonError};
 
-/// Kind of a note about a column in a unit of current that was not read.
+/// Kind of a note about a column that was not read and may contain the current or the command of a valve.
 pub(crate) const UNREAD_CURRENT: Kind = "unread_current";
 
 /// One test of a campaign after reading and cleaning.
