@@ -305,8 +305,9 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Computes derivatives of the forces with respect to the free parameters, divided by the allowed errors: one row
-    /// per scored sample. Returns `None` if the parameters are not a valid model, or if a force is not finite.
+    /// Computes derivatives of the forces with respect to the free parameters, divided by the allowed errors. The
+    /// matrix has one row per scored sample and one column per free parameter. Returns `None` if the parameters are not
+    /// a valid model, or if a force is not finite.
     ///
     /// A prepared [`Run`] gives the derivatives for all parameters of the model. Each other parameter, such as a
     /// measurement error or the cooling rate, requires a finite difference. A low-accuracy integration suffices if

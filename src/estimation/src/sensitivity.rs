@@ -187,8 +187,8 @@ struct Alone {
 pub enum Accuracy {
     /// The integration that host programs use.
     Full,
-    /// Four substeps per sample of the fourth-order method: accurate enough for the result of a fit. Eight substeps
-    /// apply to a series spring that carries the whole force, and to a bypass that opens at each reversal. With one
+    /// Four substeps per sample of the fourth-order method: accurate enough for the result of a fit. The number is
+    /// eight with a series spring that carries the whole force, and with a bypass that opens at each reversal. With one
     /// substep, tests of 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
     /// (tests/tests/system/identification.rs).
     Fine,
@@ -202,9 +202,9 @@ pub enum Accuracy {
     /// percent, at a third of the cost of [`Accuracy::Single`].
     Cheap,
     /// One substep of the second-order method. It suffices for derivatives, because the residuals determine the result
-    /// of a search. It also suffices for the comparison of hypotheses near a refitted one, whose known error corrects
-    /// the residuals (`structure/nearby.rs`). Two substeps apply to a series spring that carries the whole force, and
-    /// to a bypass that opens at each reversal.
+    /// of a search. It also suffices for hypotheses near a refitted one, because the known error at the refitted
+    /// hypothesis corrects their residuals (`structure/nearby.rs`). The number is two with a series spring that carries
+    /// the whole force, and with a bypass that opens at each reversal.
     Derivatives,
 }
 
@@ -527,9 +527,9 @@ impl Run {
 
 /// Points of a curve among the directions of a run.
 struct CurvePart {
-    /// Position of the first point, or [`NOWHERE`].
+    /// Index of the first point among the directions, or [`NOWHERE`].
     first: usize,
-    /// Point at which the curve is zero.
+    /// Index of the point at which the curve is zero.
     zero: usize,
     count: usize,
 }

@@ -18,8 +18,8 @@ use dashpot_records::restrict;
 use rayon::prelude::*;
 
 /// Smallest ratio of the speed of a point that a search added at a knee to the speed of any other point. The search of
-/// one setting adds points at least a factor of 1.13 from their neighbors. Points of two settings closer than about
-/// half of that factor show the same knee. The curve would have too few samples between them.
+/// one setting adds points at least a factor of 1.13 from their neighbors. If the points of two settings are closer
+/// than about half of that factor, they show the same knee. The curve would then have too few samples between them.
 const APART: f64 = 1.06;
 
 /// Returns the velocities of the FV table that all settings share, m/s.

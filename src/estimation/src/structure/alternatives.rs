@@ -115,9 +115,9 @@ impl Part {
     }
 }
 
-/// Computes the ends of a parameter's 95 % interval over several structures. The interval contains the interval of the
-/// first structure, so alternatives never make it narrower. If an end is infinite, the outermost ends are returned.
-/// Returns `None` if `parts` is empty.
+/// Computes the ends of a parameter's 95 % interval over several structures. The result contains the interval of the
+/// first structure, so alternatives never make it narrower. If an end of any structure is infinite, the result extends
+/// from the lowest to the highest end. Returns `None` if `parts` is empty.
 pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     let first = parts.first()?;
     let outermost = parts.iter().fold(first.ends, |[low, high], p| [low.min(p.ends[0]), high.max(p.ends[1])]);

@@ -6,7 +6,7 @@ use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
-/// Start value of the reciprocal length of an oil column, 1/m.
+/// Start value of the reciprocal length of an oil column, 1/m, for a column of 17 cm.
 const COLUMN: f64 = 6.0;
 /// Constant C, °C, of Vogel's law for damper oils: the logarithm of the viscosity is linear in 1/(T + C) at temperature
 /// T, °C.
@@ -243,8 +243,8 @@ fn fade_by_own_work() -> Candidate {
     }
 }
 
-/// Start values of the fraction of the flow that does not refill a chamber. [`BEYOND`] contains those of the speed at
-/// which this begins, as fractions of the highest speed.
+/// Start values of the fraction of the flow that does not refill a chamber. [`BEYOND`] contains start values of the
+/// speed above which the chamber is not refilled, as fractions of the highest speed.
 const UNFILLED: [f64; 3] = [0.03, 0.1, 0.3];
 const BEYOND: [f64; 3] = [0.2, 0.5, 0.8];
 
