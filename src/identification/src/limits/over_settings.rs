@@ -116,10 +116,10 @@ pub struct SettingsFigures {
 }
 
 impl SettingsFigures {
-    /// Measures the figures of the records, and takes the measured times of `responses`. `settings` contains the setting of every record,
+    /// Measures the figures of the records, and copies the measured times of `responses`. `settings` contains the setting of every record,
     /// or `None` if the setting changes within the record.
     pub fn measure((records, settings): (&[&Record], &[Option<f64>]), responses: &[StepResponse]) -> Self {
-        // Judge each group of steps too, because a mean over tests and stroke directions would hide a slow response.
+        // Store the times of each group of steps too, because a mean over tests and stroke directions could conceal a slow response.
         let all = |of: &StepResponse| Some((of.measured?, of.uncertainty, of.tests.clone()));
         let each = |of: &StepGroup| Some((of.measured?, of.uncertainty, vec![of.test.clone()]));
         Self { at: figures_at(records, settings, None), steps: steps(responses, all, each) }
