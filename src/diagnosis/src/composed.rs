@@ -297,9 +297,9 @@ impl Composed<'_> {
         or_warm_gas.into_iter().chain(too_small).collect()
     }
 
-    /// Returns the effect that is new in the most probable structure without `effect`, compared with the best
-    /// structure. Returns `None` if the search visited no structure without `effect`, or if that structure contains no
-    /// new effect.
+    /// Returns an effect that may explain the records instead of `effect`. It is an effect of the most probable visited
+    /// structure without `effect`, and is not in the best structure. Returns `None` if the search visited no structure
+    /// without `effect`, or if that structure has no such effect.
     fn instead_of(&self, effect: &str, probabilities: &BTreeMap<&'static str, f64>) -> Option<Instead> {
         let without = self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != effect));
         let (key, _) = without.max_by(|(_, a), (_, b)| a.log_posterior.total_cmp(&b.log_posterior))?;
@@ -386,8 +386,9 @@ impl Composed<'_> {
                 family,
                 confidence: probability(effect),
                 family_confidence: family_confidence.max(probability(effect)).min(1.0),
-                // Without the effect, the structure may fit worse than the given model, because other elements follow
-                // from it. The effect explains no more than the given model missed.
+                // The structure without the effect may fit worse than the given model, because other elements were
+                // adapted to the effect. Therefore, the residual without the effect counts at most as much as that of
+                // the given model.
                 fraction: ((without.min(before) - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
                 force_n_rms: item.map_or(0.0, |i| i.force_n_rms),
                 of_the_rig: component.is_of_measurement(),
@@ -440,8 +441,8 @@ impl Composed<'_> {
             errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
         };
         let (before, with, less) = (of(&self.start)?, of(&self.best)?, of(less)?);
-        // Without the effect, the structure may fit worse than the given model. That part was never a gap. If the error
-        // with the effect is larger, no gap reopens.
+        // The structure without the effect may fit worse than the given model. The excess over the error of the given
+        // model is not part of the gap. If the error with the effect is larger, no gap reopens.
         (before > 1.02 * noise).then(|| ((less.min(before) - with) / (before - noise)).clamp(0.0, 1.0))
     }
 

@@ -347,8 +347,8 @@ fn summarize(
     if said.is_empty() && open.is_empty() {
         said.push(if is_against { phrases::CHANGED_AT_NO_SETTING } else { phrases::AT_NO_SETTING }.into());
     }
-    // Several effects may explain the records of one setting equally well, although shared numbers separate them in a fit
-    // over all settings. Without this sentence, a user would remove such an effect.
+    // Several effects may explain the records of one setting equally well, while a fit over all settings distinguishes
+    // them by its shared numbers. Without this sentence, a user would remove such an effect.
     let is_only_together = |of: &&EffectOverSettings| {
         of.settings.len() == count && of.settings.iter().all(|at| at.status == Status::Removed)
     };
@@ -399,7 +399,7 @@ mod tests {
         assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
-        // An effect that no setting alone needs may still be needed by all settings together.
+        // An effect that the diagnosis of each setting removes may still be needed in a fit over all settings.
         let removed = effect("oil_compressibility", &[0.0, 1.0, 2.0].map(|setting| (setting, Status::Removed)));
         let said = summary(&[removed.clone()], &[], &[], false);
         assert!(said.len() == 2 && said[1].starts_with("no setting alone needs oil_compressibility"), "{said:?}");
