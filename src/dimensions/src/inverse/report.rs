@@ -55,13 +55,13 @@ pub struct Contradiction {
     pub unit: &'static str,
     /// Entries of the drawing from which `dimensions` was computed. At least one of them, or the model, is wrong.
     pub entries: Vec<&'static str>,
-    /// Entries that alone would explain the contradiction with another value, the smallest change first.
+    /// Entries that would explain the contradiction if only that entry had another value, the smallest change first.
     pub causes: Vec<Cause>,
     /// The contradiction as a sentence.
     pub text: Sentence,
 }
 
-/// An entry of the drawing that alone explains a contradiction if it has another value.
+/// An entry of the drawing that would explain a contradiction if only this entry had another value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cause {
     /// Key of the entry in the drawing.
