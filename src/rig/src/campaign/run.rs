@@ -41,6 +41,7 @@ const BITS: std::ops::RangeInclusive<u32> = 8..=24;
 const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
 /// Returns the default sample rate, Hz, for a test.
+///
 /// The rate gives at least 400 samples per cycle and is rounded up to a common rate, within 20 to 1000 Hz. Above 2.5
 /// Hz, the upper limit gives fewer samples per cycle. The lower limit lets a slow test resolve the break-away of
 /// friction. The upper limit is the rate of a common data logger.
