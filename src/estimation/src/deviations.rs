@@ -231,8 +231,9 @@ fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
 /// Computes the shift of each free parameter for a unit error of a considered parameter, which is not estimated.
 ///
 /// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the
-/// considered parameter. This is the term that a consider parameter adds to an estimate (Bierman, Factorization Methods
-/// for Discrete Sequential Estimation, 1977, VIII). Returns `None` if the Hessian is not positive definite.
+/// considered parameter. The shift times the standard deviation of the considered parameter is the error that this
+/// parameter adds to an estimate (Bierman, Factorization Methods for Discrete Sequential Estimation, 1977, VIII).
+/// Returns `None` if the Hessian is not positive definite.
 pub fn considered_shift(
     blocks: &[(DMatrix<f64>, Vec<f64>)],
     precisions: &[f64],

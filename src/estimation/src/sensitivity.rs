@@ -173,7 +173,8 @@ struct ParallelUnknown {
     per: f64,
 }
 
-/// An element parallel to the mass that has a state or is a stop. It is simulated alone.
+/// An element parallel to the mass that has an internal state or is a stop. Its derivatives are differences of
+/// simulations of this element alone.
 struct Alone {
     element: Option<Element>,
     model: Model,
@@ -800,9 +801,9 @@ mod tests {
             }
             let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
-            // Some event times jump from sample to sample if a parameter changes. They are the times at which a void
-            // closes, and at which a lag changes its time constant. For a void with gas, the opening time also jumps.
-            // The time at which friction behind a series spring reverses also jumps.
+            // Some event times jump from sample to sample if a parameter changes, so the derivative has an error there.
+            // Such events are the closing of a void, and the change of the time constant of a lag. The opening of a
+            // void with gas, and the reversal of friction behind a series spring, are further ones.
             let turns = settings.iter().any(|(name, _)| *name == "series_load");
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial") || turns;
             let without = match (gassy, jumps) {

@@ -269,7 +269,8 @@ impl Search<'_> {
         all.into_iter().collect()
     }
 
-    /// Returns residuals and derivatives at the start, with given derivatives if known.
+    /// Computes the residuals of all blocks at `x`, and their derivatives unless `jacobian` contains them. Returns
+    /// `None` if residuals or derivatives are missing or not finite.
     fn first_rows(&self, x: &[f64], jacobian: Option<Vec<DMatrix<f64>>>) -> Option<Vec<Rows>> {
         let at = self.problem.prepare(x)?;
         let residuals = self.residuals(&*at)?;

@@ -51,10 +51,11 @@ impl ActuatorForm {
         ActuatorForm { lag: Ways::Neither, dead_time: false, rate: Ways::Neither, hysteresis: false };
 }
 
-/// A free parameter of an actuator: the entries of the axis that it sets, its transformation, start, bounds and prior.
+/// A free parameter of an actuator: the entries of the setting [`Axis`] that it sets, its transformation, start, bounds
+/// and prior.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActuatorNumber {
-    /// Names of the entries of the axis that the parameter sets.
+    /// Names of the entries of the setting axis that the parameter sets.
     pub entries: &'static [&'static str],
     /// Whether the free parameter is the logarithm of the entry.
     pub is_log: bool,
@@ -82,9 +83,9 @@ const HYSTERESIS: (f64, f64) = (0.02, 0.03);
 /// constant settings. The position is 1 if the setting was reached from below, and −1 if it was reached from above.
 /// Rigs mostly switch the setting on from zero, so positive positions are more probable.
 const REST: (f64, f64) = (0.6, 0.6);
-/// Name of the axis entry for the position in the hysteresis band.
+/// Name of the entry of the setting axis for the position in the hysteresis band.
 pub const REST_ENTRY: &str = "setting_hysteresis_rest";
-/// Name of the axis entry for the dead time.
+/// Name of the entry of the setting axis for the dead time.
 const DEAD_TIME_ENTRY: &str = "setting_dead_time";
 /// Positions in the hysteresis band that are compared. The result is the best of them. The positions are a quarter
 /// apart, so the rounding error is at most an eighth.
@@ -486,8 +487,9 @@ impl ActuatorProblem<'_> {
 
     /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change
     /// within a sample, in samples. Returns `None` if the kernel rejects the parameters or a force is not finite.
-    ///
-    /// A later command is a longer dead time. If the form has one, the derivatives are those of the dead time. Two
+    /// A later command is equivalent to a longer dead time. If the form has a dead time, its derivatives are therefore
+    /// used. Two separate finite differences would deviate by a few percent, and the estimates of the lags would absorb
+    /// this deviation.
     /// separate differences would deviate by a few percent, and the solution would attribute these to the lags.
     pub fn timing_derivatives(&self, refit: &ActuatorRefit) -> Option<Vec<Vec<f64>>> {
         let sample_time = |block: usize| self.context.sample_times.get(block).copied().unwrap_or(0.0);

@@ -54,8 +54,8 @@ pub struct Start {
     pub straighten: Option<f64>,
     /// Start forces of the points of the FV curve, N. If empty, the points start from their current forces.
     pub curve: Vec<f64>,
-    /// Force, N, by which the step of the FV curve at zero velocity is reduced, because the effect includes this
-    /// friction.
+    /// Force, N, by which the step of the FV curve at zero velocity is reduced. The reduction is needed because the
+    /// curve already contains a part of the friction that the effect adds.
     pub level: f64,
 }
 

@@ -160,8 +160,9 @@ fn void_with_gas(s: &Situation, all: &mut Vec<Candidate>) {
     });
 }
 
-/// Returns the fixed parameters of oil that is thinner than at the temperature `reference`, °C. `source` states whether
-/// the temperature is measured (0) or computed from the dissipated work (1).
+/// Returns the parameters that the candidates for temperature fade set to fixed values. `source` states whether the
+/// temperature is measured (0) or computed from the dissipated work (1). `reference` is the temperature, °C, above
+/// which the oil is thinner.
 fn fade(source: f64, reference: f64) -> Vec<(Number, f64)> {
     vec![
         (number!("fade_source"), source),
