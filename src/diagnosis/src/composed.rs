@@ -245,8 +245,8 @@ impl Composed<'_> {
         }
     }
 
-    /// Returns the fraction of the gap between the error of the given model and the noise that the best structure
-    /// closes. Uses the left-out tests if there are any.
+    /// Returns the fraction of the given model's error above the noise that the best structure removes. Uses the
+    /// left-out tests if there are any.
     fn gap_closed(&self, BeforeAndAfter { before, after }: &BeforeAndAfter) -> Option<f64> {
         if self.left.is_empty() {
             gap_closed(&self.fitted, &before.fitted, &after.fitted)
@@ -255,7 +255,7 @@ impl Composed<'_> {
         }
     }
 
-    /// Returns the errors and curves of all tests, first of the fitted ones.
+    /// Returns the errors and curves of all tests. The fitted tests come first, then the left-out tests.
     fn test_outcomes(&self, BeforeAndAfter { before, after }: &BeforeAndAfter) -> Vec<TestOutcome> {
         let outcome = |left_out: bool, test: &Test, before: &[f64], after: &[f64]| {
             let measured = test.forces().to_vec();
@@ -429,10 +429,10 @@ impl Composed<'_> {
         })
     }
 
-    /// Returns the fraction of the gap between the error of the given model and the noise that reopens if one effect is
-    /// removed. `less` is the best structure without this effect. Uses the left-out tests if there are any.
+    /// Returns the fraction of the given model's error above the noise that returns if one effect is removed. `less` is
+    /// the best structure without this effect. Uses the left-out tests if there are any.
     ///
-    /// Returns `None` if the gap is at most 2 % of the noise, or if a model gives no finite force.
+    /// Returns `None` if the error above the noise is at most 2 % of the noise, or if a model gives no finite force.
     fn gap_without(&self, less: &Structure) -> Option<f64> {
         let tests = if self.left.is_empty() { &self.fitted } else { &self.left };
         let noise = noise_alone(tests);
@@ -462,8 +462,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Adds two limits to the statement that nothing is missing. These are the effects that the records cannot show,
-    /// and a lack of left-out tests that could confirm the statement.
+    /// Adds two limits of the records to the sentence that no effect is missing. The first limit are the effects that
+    /// the records cannot show. The second is a lack of left-out tests, which could confirm the sentence.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())

@@ -162,7 +162,7 @@ pub struct EffectOverSettings {
     pub effect: &'static str,
     /// Whether the most probable model has the effect at every diagnosed setting.
     pub at_all_settings: bool,
-    /// Whether the given model lacks the effect at one setting at least, and the diagnosis added it there.
+    /// Whether the diagnosis added the effect at one setting or more, because the given model lacks the effect there.
     pub is_found: bool,
     /// Settings at which the given model or the most probable model has the effect.
     pub settings: Vec<EffectAtSetting>,

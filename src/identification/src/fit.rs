@@ -180,7 +180,7 @@ struct Found {
 }
 
 impl Found {
-    /// Adds a note and an estimate that say that the records cannot determine a parameter, so that its element stays off.
+    /// Adds a note and an estimate for a parameter that the records cannot determine. The element of the parameter stays off.
     fn leave_out(&mut self, number: Number, why: Template) {
         self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_sentence("why", why));
         let (name, unit) = (number.name(), number.parameter().unit);

@@ -149,8 +149,8 @@ mod tests {
                 let value = damper.params_at(setting).number(number!("coulomb_force"));
                 let bound = bound(&damper, setting).unwrap();
                 let error = (value - characteristic(setting)).abs();
-                // Near a setting of the grid, the slope of the cubic at this setting dominates the error. It increases the error by less
-                // than half the bound.
+                // Near a setting of the grid, the slope of the cubic at this setting dominates the error. The error then exceeds the bound
+                // by less than half of the bound.
                 let beside = (setting % 0.25 - 0.125).abs() > 0.0625;
                 let most = if beside { 1.5 * bound } else { bound };
                 assert!(error <= most + 1e-9, "{setting}: {error} > {most}");

@@ -25,8 +25,8 @@ pub const LABEL_DOUBT_RATIO: f64 = 5.0;
 const FEW: usize = 3;
 /// Ratio of a test's error at another setting to its error at its stated setting below which both settings fit the test equally well.
 ///
-/// The damper at the stated setting was fitted to the test, so its error is small. This error counts as at least 1 in units of noise and
-/// form error. A damper that is interpolated or shares its numbers has an error of two to three such units. Test:
+/// The damper at the stated setting was fitted to the test, so its error is small. The error at the stated setting counts as at least 1, in
+/// units of noise and form error. A damper that is interpolated or shares its numbers has an error of two to three such units. Test:
 /// `a_test_with_the_label_of_another_setting_is_named`.
 const AS_WELL: f64 = 3.0;
 /// Largest decrease of the damping force over the setting that counts as noise, as a fraction of the range of the damping force. Test:
