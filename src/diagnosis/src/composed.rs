@@ -462,8 +462,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Adds two limits of the records to the sentence that no effect is missing. The first limit are the effects that
-    /// the records cannot show. The second is a lack of left-out tests, which could confirm the sentence.
+    /// Adds two limits of the records to the sentence that no effect is missing. The first limit is the list of
+    /// effects that the records cannot show. The second is a lack of left-out tests, which could confirm the sentence.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())

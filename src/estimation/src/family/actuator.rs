@@ -487,10 +487,10 @@ impl ActuatorProblem<'_> {
 
     /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change
     /// within a sample, in samples. Returns `None` if the kernel rejects the parameters or a force is not finite.
+    ///
     /// A later command is equivalent to a longer dead time. If the form has a dead time, its derivatives are therefore
     /// used. Two separate finite differences would deviate by a few percent, and the estimates of the lags would absorb
     /// this deviation.
-    /// separate differences would deviate by a few percent, and the solution would attribute these to the lags.
     pub fn timing_derivatives(&self, refit: &ActuatorRefit) -> Option<Vec<Vec<f64>>> {
         let sample_time = |block: usize| self.context.sample_times.get(block).copied().unwrap_or(0.0);
         if let Some(place) = self.numbers.iter().position(|number| number.entries == [DEAD_TIME_ENTRY]) {
