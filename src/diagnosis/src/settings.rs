@@ -94,7 +94,8 @@ struct AxisFigures<'a> {
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingFigures<D> {
     setting: f64,
-    /// Whether the model was not measured at this setting. The diagnosis does not judge the interpolation then.
+    /// Whether the model has no fitted numbers at this setting and is interpolated. The diagnosis does not judge the
+    /// interpolation.
     interpolated: bool,
     #[serde(flatten)]
     diagnosis: D,

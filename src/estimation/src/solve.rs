@@ -6,8 +6,8 @@
 //! - A step may account for the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum &
 //!   Sethna, arXiv:1201.5885, 2012). Narrow curved valleys, common for friction with a steep curve, then require tens
 //!   of steps instead of thousands.
-//! - If a Jacobian costs many runs and only a ranking is required, Broyden's rank-one update (Math. Comp. 19, 1965)
-//!   replaces its computation. Columns of zeros remain zero (Schubert, Math. Comp. 24, 1970).
+//! - If a Jacobian costs many model runs and only a ranking of hypotheses is required, Broyden's rank-one update (Math.
+//!   Comp. 19, 1965) replaces its computation. Columns of zeros remain zero (Schubert, Math. Comp. 24, 1970).
 //! - The residuals are grouped in blocks, for example one for each test. The rows of each block are reduced to a
 //!   triangular factor (see [`reduce()`]) and stacked in their order. Therefore, a result does not depend on the number
 //!   of threads.
@@ -15,7 +15,7 @@
 //!   that step.
 //! - Huber's loss uses reweighting (Ann. Math. Stat. 35, 1964). Gaussian priors are further rows.
 //! - A fit has converged when a full linear step would reduce the cost by less than a relative tolerance (Bates &
-//!   Watts, Technometrics 23, 1981). A short damped step is not a criterion.
+//!   Watts, Technometrics 23, 1981). The length of a damped step is no criterion, because damping alone makes it short.
 
 mod differences;
 mod reduce;

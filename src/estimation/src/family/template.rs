@@ -24,8 +24,8 @@ const APART: f64 = 1.06;
 
 /// Returns the velocities of the FV table that all settings share, m/s.
 ///
-/// They are those of the tests of all settings, and the points that the search of any setting added at its knees. With
-/// the velocities of the tests alone, a knee that moves with the setting is rounded off.
+/// The velocities are those for the tests of all settings, and those of the points that the search of any setting added
+/// at its knees. With the former alone, a knee that moves with the setting would be rounded off.
 pub fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<f64> {
     let segments = |of: &SettingTests| of.tests.iter().map(|t| t.segment.clone()).collect::<Vec<Segment>>();
     let mut all = first_guess::velocities(&settings.iter().flat_map(segments).collect::<Vec<Segment>>());

@@ -360,7 +360,7 @@ mod tests {
         // JSON has the figures in seconds, and their keys end in the unit.
         let json = serde_json::to_value(&found.limits[0]).unwrap();
         assert_eq!(json["measured"]["uncertainty_s"], 0.0005);
-        // The slowest step upwards and the only step downwards.
+        // The limits apply to the slowest step upward, from 0 to 1.6, and to the only step downward.
         assert_eq!(json["measured"]["step"], serde_json::json!([0.0, 1.6]));
         assert_eq!(found.limits[2].measured.as_ref().unwrap().step, Some((1.6, 0.0)));
         // The uncertainty of 0.5 ms does not decide about the limit of 11 ms, because the value 12 ms is 1 ms away.
