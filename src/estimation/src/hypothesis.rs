@@ -152,7 +152,7 @@ impl Hypothesis {
         params
     }
 
-    /// Returns the value of a parameter with a free logarithm, or `None` if it is not free.
+    /// Returns the value of a parameter whose logarithm is free, or `None` if this logarithm is not free.
     fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
         self.position(free).map(|place| libm::exp(theta[place]))
     }

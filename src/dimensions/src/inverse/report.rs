@@ -20,7 +20,8 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Parameters of the model and entries of the drawing from which the quantity follows.
     pub from: Vec<&'static str>,
-    /// Error factor due to the model's form in 95 of 100 dampers. The interval includes this error.
+    /// Factor within which the error due to the form of the model lies in 95 of 100 dampers. The interval includes this
+    /// error.
     pub model_error: f64,
     /// Further remark, if any.
     #[serde(skip_serializing_if = "Option::is_none")]

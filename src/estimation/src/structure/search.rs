@@ -68,7 +68,8 @@ const FORMS: usize = 2;
 /// compared with every promising replacement.
 const CONTESTED: f64 = 12.0;
 /// Largest deficit of log posterior, relative to the best structure, at which a structure with an added effect is
-/// refined. More points on the FV curve and a removal typically gain this much.
+/// refined. More points on the FV curve and the removal of another effect typically raise the log posterior by this
+/// much.
 ///
 /// For a replaced effect, the limit is [`SWAPPED`].
 const ADDED: f64 = 3.0;

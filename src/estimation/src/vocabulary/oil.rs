@@ -95,6 +95,7 @@ fn aeration(all: &mut Vec<Candidate>) {
             .map(|[stroke, force]| Start::at(&[stroke, force, 1.0]))
             .into_iter()
             // The series stiffness of the base absorbs the effect of air almost completely, even if there is much air.
+            // Therefore, some starts increase this stiffness.
             .chain([(2e-4, 1.4), (1e-3, 4.0)].map(|(stroke, stiffer)| {
                 Start::moving(&[stroke, 200.0, 1.0], &[(number!("series_stiffness"), stiffer)])
             }))

@@ -310,7 +310,8 @@ mod tests {
         )
     }
 
-    /// Makes step responses with different times until 63 %. They take 12 ms from 0 to 1.6, 9 ms from 0 to 0.8, and 20 ms from 1.6 to 0.
+    /// Makes step responses with different times until 63 % of the change. From 0 to 1.6, the time is 12 ms, from 0 to 0.8 it is 9 ms, and
+    /// from 1.6 to 0 it is 20 ms.
     fn responses() -> Vec<StepResponse> {
         let of = |from: f64, to: f64, t63_s: f64| {
             let times = ResponseTimes { t10_s: 0.003, t63_s, t90_s: 2.0 * t63_s, overshoot: 0.0 };
