@@ -89,8 +89,8 @@ impl Advice {
         }
     }
 
-    /// Inserts the figures of a test into the message that proposes it, and adds the demands of the test that exceed
-    /// the range of the recorded tests.
+    /// Inserts the figures of a test into the message that proposes it. Adds the demands of the test that exceed the
+    /// range of the recorded tests.
     pub fn sentence(&self, template: Template) -> Sentence {
         let figures = FIGURES.iter().find(|(known, _)| *known == template).map_or(&[][..], |(_, figures)| figures);
         let mut test = Sentence::from(template);

@@ -61,8 +61,8 @@ pub(crate) fn sandwich_of(
 /// interval are about this far from the estimate.
 const END: f64 = 2.0;
 /// Ratio of the squared change of the force to its linearized value below which the force counts as nearly constant. If
-/// the force is only nonlinear, its change reaches at least half of the linearized change within the interval, so the
-/// ratio is at least a quarter. If the force jumps between two samples, its change is much smaller.
+/// the force is only nonlinear, its change reaches at least half of the linearized change within the interval. The
+/// ratio is then at least a quarter. If the force jumps between two samples, its change is much smaller.
 const FLAT: f64 = 0.25;
 /// Largest factor by which a standard deviation is widened. The search for the factor ends there.
 const FARTHEST: f64 = 1024.0;
@@ -232,8 +232,8 @@ fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
 ///
 /// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the
 /// considered parameter. The shift times the standard deviation of the considered parameter is the error that this
-/// parameter adds to an estimate (Bierman, Factorization Methods for Discrete Sequential Estimation, 1977, VIII).
-/// Returns `None` if the Hessian is not positive definite.
+/// parameter adds to an estimate. The source is Bierman, Factorization Methods for Discrete Sequential Estimation,
+/// 1977, VIII. Returns `None` if the Hessian is not positive definite.
 pub fn considered_shift(
     blocks: &[(DMatrix<f64>, Vec<f64>)],
     precisions: &[f64],

@@ -19,8 +19,8 @@ const ROUNDING: f64 = 1e-9;
 /// Describes each quantity through which a change of the setting may do work on the host, with its range over the settings. The list is
 /// empty if every change only affects how much energy the damper dissipates.
 ///
-/// The quantities are numbers of energy stores and of forces at rest, the force of the FV curve at zero velocity, and the lagging force of
-/// frequency-selective damping.
+/// The quantities are numbers of energy stores and of forces at rest, and the force of the FV curve at zero velocity. The lagging force of
+/// frequency-selective damping is another one.
 pub fn energy_sources(damper: &Definition) -> Vec<Sentence> {
     let mut sources: Vec<Sentence> = damper
         .axis

@@ -54,11 +54,11 @@ const RISE: f64 = 0.5;
 /// Smallest rise of the log posterior at which an effect is exchanged for another. An exchange does not enlarge the
 /// structure, so a much smaller rise than [`RISE`] suffices.
 const EXCHANGED: f64 = 0.05;
-/// Largest deficit of a form's log posterior, relative to the best form of an expansion, at which the form is tried
-/// again after other effects were added. The best form of each effect is always tried again.
+/// Largest deficit of log posterior, relative to the best form of an expansion, at which a form is tried again after
+/// other effects were added. The best form of each effect is always tried again.
 ///
-/// The refit without an effect is continued to convergence only if its log posterior is at most this much below that of
-/// the structure with the effect.
+/// The limit also applies to the refit without an effect. If its deficit, relative to the structure with the effect, is
+/// larger, the refit ends before convergence.
 const PROMISING: f64 = 25.0;
 /// Largest number of forms of an effect that are tried again.
 const FORMS: usize = 2;
