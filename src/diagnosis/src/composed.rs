@@ -441,8 +441,8 @@ impl Composed<'_> {
             errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
         };
         let (before, with, less) = (of(&self.start)?, of(&self.best)?, of(less)?);
-        // The structure without the effect may fit worse than the given model. The excess over the error of the given
-        // model is not part of the gap. If the error with the effect is larger, no gap reopens.
+        // The structure without the effect may fit worse than the given model. Its error counts at most as much as that
+        // of the given model. If the error with the effect is larger, the fraction is 0.
         (before > 1.02 * noise).then(|| ((less.min(before) - with) / (before - noise)).clamp(0.0, 1.0))
     }
 

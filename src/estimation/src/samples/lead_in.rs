@@ -9,8 +9,8 @@ use crate::sensitivity::forces;
 use dashpot_core::{Model, Params};
 use rayon::prelude::*;
 
-/// Shortest duration of the lead-in, s. The lead-in also has at least the first and at most the second number of
-/// [`CYCLES`].
+/// Shortest duration of the lead-in, s. [`CYCLES`] contains the smallest and the largest length of the lead-in, in
+/// cycles.
 ///
 /// An internal state that is slower than the lead-in starts in equilibrium at the middle of the stroke, as on a rig.
 const TIME: f64 = 0.15;
