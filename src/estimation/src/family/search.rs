@@ -148,8 +148,8 @@ fn climb(
     (best, rivals)
 }
 
-/// Shares, in one step, all quantities whose separate values the prediction shows to be unnecessary: the log posterior
-/// does not fall if the quantity is shared. The FV curve stays separate at each setting.
+/// Shares, in one step, all quantities whose separate values are unnecessary. A quantity is shared if the predicted log
+/// posterior does not fall. The FV curve stays separate at each setting.
 fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let varying = start.varying();
     let linear = Linearization::new(&start, settings);
