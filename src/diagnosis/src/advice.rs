@@ -1,4 +1,5 @@
-//! Advice on rig tests, in the unit, the sign and the zero of the files. It states what of a test the records have not reached.
+//! Advice on rig tests, in the unit, the sign and the zero of the files. It also states which demands of a test exceed
+//! the range of the recorded tests.
 
 use super::phrases;
 use dashpot_estimation::situation::Situation;
@@ -23,7 +24,7 @@ pub struct Advice {
     pub strength: f64,
 }
 
-/// A figure of a proposed test, in SI units. `SideForce` is that of a car's damper.
+/// A figure of a proposed test, in SI units. A `SideForce` is the value for a car's damper.
 #[derive(Debug, Clone, Copy)]
 enum Figure {
     Amplitude(f64),
@@ -35,8 +36,8 @@ enum Figure {
 }
 use Figure::{Amplitude, Frequency, SideForce, Speed, WholeTravel};
 
-/// Figures of the tests that messages propose, with the placeholders that show them. Without a placeholder, a figure only counts among the
-/// demands of the test.
+/// Figures of the tests that messages propose, with the placeholders that show them. A figure with an empty placeholder
+/// does not appear in the message, but counts as a demand of the test.
 const FIGURES: &[(Template, &[(&str, Figure)])] = &[
     (phrases::SHOW_SLOW, &[("slow", Speed(0.0005)), ("fast", Speed(0.03))]),
     (phrases::SHOW_SPRING, &[("", WholeTravel), ("", Frequency(1.0))]),
@@ -54,7 +55,8 @@ const FIGURES: &[(Template, &[(&str, Figure)])] = &[
     (phrases::NEEDS_FREQUENCIES, &[("low", Frequency(0.5)), ("high", Frequency(10.0))]),
 ];
 
-/// Largest ratio of a demand to what the tests reached at which the demand does not count as beyond it.
+/// Largest ratio of a demand of a test to the value that the recorded tests reached at which the demand counts as
+/// within their range.
 const MARGIN: f64 = 1.02;
 
 impl Default for Advice {
@@ -87,7 +89,8 @@ impl Advice {
         }
     }
 
-    /// Fills a message that proposes a test with its figures, and adds what of the test is beyond what the records reached.
+    /// Inserts the figures of a test into the message that proposes it. Adds the demands of the test that exceed the
+    /// range of the recorded tests.
     pub fn sentence(&self, template: Template) -> Sentence {
         let figures = FIGURES.iter().find(|(known, _)| *known == template).map_or(&[][..], |(_, figures)| figures);
         let mut test = Sentence::from(template);
@@ -118,7 +121,7 @@ impl Advice {
         format!("{:+.decimals$}", self.frame.position(inside) / self.frame.unit.to_si(1.0))
     }
 
-    /// Returns the demands of a test that exceed what the records reached.
+    /// Returns the demands of a test that exceed the range of the recorded tests.
     fn beyond(&self, figures: &[(&str, Figure)]) -> Vec<Sentence> {
         let half = 0.5 * (self.reach_m.1 - self.reach_m.0);
         let most = |of: &dyn Fn(Figure) -> Option<f64>| figures.iter().filter_map(|f| of(f.1)).fold(0.0, f64::max);
@@ -193,7 +196,7 @@ mod tests {
                     assert!(said.contains("beyond what these tests reached") && said.contains(&clause), "{said}");
                 }
             }
-            // A rig that has reached everything gets the tests alone.
+            // If the recorded tests reached all demands, the message states none of them.
             let all =
                 Advice { reach_m: (-1.0, 1.0), speed_m_s: 10.0, frequency_hz: 100.0, side_force_n: 1e6, ..rig.clone() };
             assert!(!remedy(card.name, &all).to_string().contains("beyond"), "{}", card.name);
@@ -217,7 +220,7 @@ mod tests {
         for card in CARDS {
             let text = said(card.name, &counted);
             assert!(!text.contains("mm"), "{text}");
-            // A template whose placeholders are not filled shows them.
+            // A placeholder that was not filled would remain in the text in braces.
             assert!(!text.contains('{') && !said(card.name, &own).contains('{'), "{text}");
         }
     }

@@ -52,8 +52,8 @@ mod tests {
             let mut last = 0.0;
             for p in [0.05, 0.1, 0.5, 0.9, 0.99, 1.0] {
                 let here = confidence(p, against);
-                // Without a reference, the log odds of the last two probabilities exceed the limit
-                // `most_without_reference`, so both have the same confidence.
+                // Without a reference, the log odds of both 0.99 and 1 exceed the limit `most_without_reference`, so
+                // both have the same confidence.
                 let is_at_limit = !against && p == 1.0 && here == last;
                 assert!((here > last || is_at_limit) && here < 0.96, "{p}: {here}");
                 last = here;

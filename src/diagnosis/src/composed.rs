@@ -245,8 +245,8 @@ impl Composed<'_> {
         }
     }
 
-    /// Returns the fraction of the gap between the error of the given model and the noise that the best structure
-    /// closes. Uses the left-out tests if there are any.
+    /// Returns the fraction of the given model's error above the noise that the best structure removes. Uses the
+    /// left-out tests if there are any.
     fn gap_closed(&self, BeforeAndAfter { before, after }: &BeforeAndAfter) -> Option<f64> {
         if self.left.is_empty() {
             gap_closed(&self.fitted, &before.fitted, &after.fitted)
@@ -255,7 +255,7 @@ impl Composed<'_> {
         }
     }
 
-    /// Returns the errors and curves of all tests, first of the fitted ones.
+    /// Returns the errors and curves of all tests. The fitted tests come first, then the left-out tests.
     fn test_outcomes(&self, BeforeAndAfter { before, after }: &BeforeAndAfter) -> Vec<TestOutcome> {
         let outcome = |left_out: bool, test: &Test, before: &[f64], after: &[f64]| {
             let measured = test.forces().to_vec();
@@ -297,9 +297,9 @@ impl Composed<'_> {
         or_warm_gas.into_iter().chain(too_small).collect()
     }
 
-    /// Returns the effect that is new in the most probable structure without `effect`, compared with the best
-    /// structure. Returns `None` if the search visited no structure without `effect`, or if that structure contains no
-    /// new effect.
+    /// Returns an effect that may explain the records instead of `effect`. It is an effect of the most probable visited
+    /// structure without `effect`, and is not in the best structure. Returns `None` if the search visited no structure
+    /// without `effect`, or if that structure has no such effect.
     fn instead_of(&self, effect: &str, probabilities: &BTreeMap<&'static str, f64>) -> Option<Instead> {
         let without = self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != effect));
         let (key, _) = without.max_by(|(_, a), (_, b)| a.log_posterior.total_cmp(&b.log_posterior))?;
@@ -386,8 +386,9 @@ impl Composed<'_> {
                 family,
                 confidence: probability(effect),
                 family_confidence: family_confidence.max(probability(effect)).min(1.0),
-                // Without the effect, the structure may fit worse than the given model, because other elements follow
-                // from it. The effect explains no more than the given model missed.
+                // The structure without the effect may fit worse than the given model, because other elements were
+                // adapted to the effect. Therefore, the residual without the effect counts at most as much as that of
+                // the given model.
                 fraction: ((without.min(before) - whole) / (before - 1.0).max(1e-9)).clamp(0.0, 1.0),
                 force_n_rms: item.map_or(0.0, |i| i.force_n_rms),
                 of_the_rig: component.is_of_measurement(),
@@ -428,10 +429,10 @@ impl Composed<'_> {
         })
     }
 
-    /// Returns the fraction of the gap between the error of the given model and the noise that reopens if one effect is
-    /// removed. `less` is the best structure without this effect. Uses the left-out tests if there are any.
+    /// Returns the fraction of the given model's error above the noise that returns if one effect is removed. `less` is
+    /// the best structure without this effect. Uses the left-out tests if there are any.
     ///
-    /// Returns `None` if the gap is at most 2 % of the noise, or if a model gives no finite force.
+    /// Returns `None` if the error above the noise is at most 2 % of the noise, or if a model gives no finite force.
     fn gap_without(&self, less: &Structure) -> Option<f64> {
         let tests = if self.left.is_empty() { &self.fitted } else { &self.left };
         let noise = noise_alone(tests);
@@ -440,8 +441,8 @@ impl Composed<'_> {
             errors(self.accuracy(), &structure.hypothesis, theta, self.records, tests).map(|e| in_noise(tests, &e))
         };
         let (before, with, less) = (of(&self.start)?, of(&self.best)?, of(less)?);
-        // Without the effect, the structure may fit worse than the given model. That part was never a gap. If the error
-        // with the effect is larger, no gap reopens.
+        // The structure without the effect may fit worse than the given model. Its error counts at most as much as that
+        // of the given model. If the error with the effect is larger, the fraction is 0.
         (before > 1.02 * noise).then(|| ((less.min(before) - with) / (before - noise)).clamp(0.0, 1.0))
     }
 
@@ -461,8 +462,8 @@ impl Composed<'_> {
             .collect()
     }
 
-    /// Adds two limits to the statement that nothing is missing. These are the effects that the records cannot show,
-    /// and a lack of left-out tests that could confirm the statement.
+    /// Adds two limits of the records to the sentence that no effect is missing. The first limit is the list of
+    /// effects that the records cannot show. The second is a lack of left-out tests, which could confirm the sentence.
     fn with_limits(&self, nothing: Sentence, could_not_test: &[CouldNotTest]) -> Sentence {
         let names = could_not_test.iter().map(|c| c.effect);
         let not_seen = (!could_not_test.is_empty())

@@ -29,12 +29,11 @@ fn nothing(_: &Situation, _: &Advice) -> Option<Sentence> {
 /// Smallest range of side forces, N, at which tests of a car damper can distinguish side-force friction from other
 /// friction. Heavier dampers need a range that is larger in proportion to their force.
 const SIDE_FORCE: f64 = 50.0;
-/// Smallest range of displacements passed at one speed, m, at which tests can show position-dependent damping.
+/// Smallest range of displacements at one speed, m, at which tests can show position-dependent damping. If tests pass
+/// each displacement at only one speed, an effect of position cannot be separated from an effect of speed.
+///
 /// [`FREQUENCIES`] is the smallest ratio of the highest to the lowest frequency at which tests can show
 /// frequency-selective damping.
-///
-/// If tests pass each displacement at only one speed, an effect of position cannot be separated from an effect of
-/// speed.
 const PLACES: f64 = 0.008;
 const FREQUENCIES: f64 = 3.0;
 /// Smallest range of accumulated heat over the tests, J, at which the temperature of a car damper changes noticeably.
@@ -305,7 +304,7 @@ mod tests {
             assert_eq!(EFFECTS.contains(&c.effect), c.unnamed.is_none(), "{}", c.effect);
         }
         let missing: Vec<&str> = EFFECTS.iter().copied().filter(|e| all.iter().all(|c| c.effect != *e)).collect();
-        // All other effects without a candidate are those of the base model and those that no rig can separate.
+        // All other effects without a candidate are effects of the base model, and effects that no rig can separate.
         let is_on = |effect: &str| Element::find(effect).is_ok_and(|element| situation.base.is_on(element));
         assert!(
             missing.iter().all(|e| is_on(e) || ["viscous_friction", "cylinder_expansion"].contains(e)),

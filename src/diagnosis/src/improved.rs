@@ -56,10 +56,10 @@ pub(super) fn measured(found: &Structure, ends: &[[f64; 2]]) -> Vec<Measured> {
         .collect()
 }
 
-/// Combines the measurement errors that were corrected before the diagnosis with those that the diagnosis found.
+/// Combines the measurement errors for which the records were already corrected with those that the diagnosis found.
 ///
-/// The corrected errors are those of a `fit`. An error that the fit did not find was corrected as the user stated it
-/// (`given`).
+/// The records were corrected for the errors in `fit`, which come from the fit of the model. For an error that `fit`
+/// lacks, they were corrected by the value in `given`, which the user stated.
 fn of_both(fit: Vec<Measured>, given: &MeasurementError, diagnosis: &[Measured]) -> Vec<Measured> {
     let mut all = fit;
     for found in diagnosis {

@@ -56,9 +56,9 @@ pub struct Diagnosis {
     pub before: Figures,
     /// Errors of the model with all findings.
     pub after: Figures,
-    /// Fraction of the gap between model and noise that the improved model closes on the left-out tests. On the fitted
-    /// tests if none is left out. `None` if the gap is at most 2 % of the noise, or if the best structure is that of
-    /// the given model.
+    /// Fraction of the given model's error above the noise that the improved model removes. It is computed on the
+    /// left-out tests, or on the fitted tests if none is left out. `None` if the error above the noise is at most 2 %
+    /// of the noise, or if the best structure is that of the given model.
     pub gap_closed: Option<f64>,
     /// Fraction of the disagreement that the improved model does not explain. The disagreement is the mean square
     /// residual in excess of noise.
@@ -101,8 +101,8 @@ pub struct Diagnosis {
     /// Prior knowledge of the damper, in addition to its records.
     #[serde(skip)]
     pub priors: PriorSet,
-    /// Estimated measurement errors of the rig in the best structure, in SI units, by name. Only the comparison
-    /// corrects them; the improved model does not contain them.
+    /// Estimated measurement errors of the rig in the best structure, in SI units, by name. They are corrected only in
+    /// the comparison of forces; the improved model does not contain them.
     pub corrections: BTreeMap<&'static str, f64>,
 }
 
@@ -133,8 +133,8 @@ pub struct Finding {
     pub of_the_rig: bool,
     /// Parameters of the effect.
     pub parameters: BTreeMap<&'static str, Value>,
-    /// Fraction of the gap between model and noise that this effect closes on the left-out tests. On the fitted tests
-    /// if none is left out.
+    /// Fraction of the given model's error above the noise that this effect removes. It is computed on the left-out
+    /// tests, or on the fitted tests if none is left out.
     pub gap_closed: Option<f64>,
     /// Statistics that support the confidence.
     pub evidence: Evidence,

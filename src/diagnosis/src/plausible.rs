@@ -37,7 +37,8 @@ mod tests {
     #[test]
     fn a_parameter_of_the_model_has_the_range_that_the_fit_states() {
         let gas = || Free::Model(Unknown::Linear(number!("gas_force")));
-        // A pull of 11 N is within the prior of a search, which is wide, and outside what gas does to a rod.
+        // A gas force of −11 N is within the wide prior of a search. It is outside the range of dampers, because gas
+        // pushes the rod out.
         let at = |value: f64| is_plausible(&hypothesis(gas(), Some((150.0, 100.0)), PriorSet::default()), 0, &[value]);
         assert!(at(150.0) && at(-1.0) && !at(-11.0) && !at(1500.0));
         let oil = || Free::Model(Unknown::Log(number!("oil_stiffness")));

@@ -59,7 +59,8 @@ fn has_friction(params: &Params) -> bool {
 /// the structure unchanged if it already has friction, or if the conversion raises the mean square residual by more
 /// than 5 %. `fit` fits a model to the records.
 fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure>) -> Structure {
-    /// Largest ratio of the mean square residuals with and without friction at which the friction is accepted.
+    /// Largest ratio of the mean square residual with friction to that without friction at which the friction is
+    /// accepted.
     const OPEN: f64 = 1.05;
     let params = structure.hypothesis.params(&structure.refit.theta);
     if has_friction(&params) {
@@ -86,8 +87,8 @@ impl Prepared {
             return Err(DiagnosisError::NothingToCompare { turned });
         }
         // Fit the given model in both forms of its FV curve at zero velocity, kinked and smooth, if the curve has both.
-        // If the model has no friction, also fit models made from the records alone. A change of friction cannot show
-        // relative to a model without friction.
+        // If the model has no friction, also fit models made from the records alone. Without friction in the reference
+        // model, a change of friction could not be found.
         let no_heat = |(mut hypothesis, components): StartModel| {
             hypothesis.heating = None;
             (hypothesis.with_priors(&options.priors), components)

@@ -148,7 +148,7 @@ struct Separation {
     utility: f64,
     /// Root mean square difference of the forces, N.
     difference: f64,
-    /// Positions of the rivals that the test distinguishes best.
+    /// Indices of the two rivals that the test distinguishes best.
     pair: [usize; 2],
     design: Design,
 }

@@ -1,4 +1,4 @@
-//! Refit of a model and samples as in a diagnosis, for programs that inject an effect of a stated severity.
+//! Refit of a model and samples as in a diagnosis, for programs that inject an effect of a given severity.
 
 use dashpot_core::Params;
 use dashpot_estimation::hypothesis::Hypothesis;

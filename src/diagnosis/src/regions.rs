@@ -46,8 +46,8 @@ pub fn regions(tests: &[Test], residual: &[Vec<f64>]) -> Vec<Region> {
         }
     }
     all.retain(|r| r.rmse_n > STANDS_OUT * r.noise_n);
-    // The order is that of the ratio of residual to noise. A region of all tests counts ten times, so that it precedes
-    // most regions of single tests.
+    // Regions are ordered by the ratio of residual to noise. The ratio of a region of all tests counts ten times, so
+    // that it precedes most regions of single tests.
     let weight = |r: &Region| (r.rmse_n / r.noise_n.max(1e-9)) * if r.test == "all" { 10.0 } else { 1.0 };
     all.sort_by(|a, b| weight(b).total_cmp(&weight(a)));
     all.truncate(TOLD);

@@ -94,9 +94,9 @@ impl Open<'_> {
         best
     }
 
-    /// Returns the mean square residual of a structure without one of its effects. The difference is the part that this
-    /// effect explains; the other effects of the structure explain theirs. Returns `None` if the search did not visit
-    /// that structure.
+    /// Returns the mean square residual of a structure without one of its effects. Its difference from the residual of
+    /// the structure is the part that this effect alone explains. Returns `None` if the search did not visit the
+    /// structure without the effect.
     fn without(&self, key: &[Form], effect: &str) -> Option<f64> {
         let less: Vec<Form> = key.iter().filter(|form| form.0 != effect).copied().collect();
         self.search.table.get(&less).map(|row| row.mean_square)

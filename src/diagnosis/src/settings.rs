@@ -94,7 +94,8 @@ struct AxisFigures<'a> {
 #[derive(Debug, Clone, Serialize)]
 pub struct SettingFigures<D> {
     setting: f64,
-    /// Whether the model was not measured at this setting. The diagnosis does not judge the interpolation then.
+    /// Whether the model has no fitted numbers at this setting and is interpolated. The diagnosis does not judge the
+    /// interpolation.
     interpolated: bool,
     #[serde(flatten)]
     diagnosis: D,
@@ -162,7 +163,7 @@ pub struct EffectOverSettings {
     pub effect: &'static str,
     /// Whether the most probable model has the effect at every diagnosed setting.
     pub at_all_settings: bool,
-    /// Whether the given model lacks the effect at one setting at least, and the diagnosis added it there.
+    /// Whether the diagnosis added the effect at one setting or more, because the given model lacks the effect there.
     pub is_found: bool,
     /// Settings at which the given model or the most probable model has the effect.
     pub settings: Vec<EffectAtSetting>,
@@ -347,8 +348,8 @@ fn summarize(
     if said.is_empty() && open.is_empty() {
         said.push(if is_against { phrases::CHANGED_AT_NO_SETTING } else { phrases::AT_NO_SETTING }.into());
     }
-    // Several effects may explain the records of one setting equally well, although shared numbers separate them in a fit
-    // over all settings. Without this sentence, a user would remove such an effect.
+    // Several effects may explain the records of one setting equally well, while a fit over all settings distinguishes
+    // them by its shared numbers. Without this sentence, a user would remove such an effect.
     let is_only_together = |of: &&EffectOverSettings| {
         of.settings.len() == count && of.settings.iter().all(|at| at.status == Status::Removed)
     };
@@ -399,7 +400,7 @@ mod tests {
         assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
-        // An effect that no setting alone needs may still be needed by all settings together.
+        // An effect that the diagnosis of each setting removes may still be needed in a fit over all settings.
         let removed = effect("oil_compressibility", &[0.0, 1.0, 2.0].map(|setting| (setting, Status::Removed)));
         let said = summary(&[removed.clone()], &[], &[], false);
         assert!(said.len() == 2 && said[1].starts_with("no setting alone needs oil_compressibility"), "{said:?}");

@@ -9,9 +9,9 @@ use dashpot_core::parameter::Element;
 use dashpot_estimation::situation::Situation;
 use dashpot_messages::Sentence;
 
-/// Smallest squared response of an effect of typical strength over all tests at which the records can show the effect.
-/// The unit is σ², the squared allowed error of a sample. Only that part of the response counts which the other
-/// parameters of the model cannot reproduce.
+/// Smallest squared response of an effect of typical strength, summed over all tests, at which the records can show the
+/// effect. The unit is σ², the squared allowed error of a sample. Only the part of the response that other parameters
+/// of the model cannot reproduce counts.
 const TRACE: f64 = 20.0;
 
 /// Lists all effects that could not be tested, because of missing channels, too small ranges, or a small response at a
@@ -26,7 +26,7 @@ pub fn list(s: &Situation, invisible: &[(&'static str, f64)], found: &[&str], ad
             continue;
         }
         if let Some(why) = (card.missing)(s, advice) {
-            // The situation is that of the given model.
+            // The reason comes from the given model. If the diagnosis adds the series path, another reason applies.
             let is_added = found.contains(&element!("series_compliance").name());
             let next = why == Sentence::from(phrases::NEEDS_SERIES) && is_added;
             all.push(CouldNotTest { effect, why: if next { phrases::SERIES_ADDED.into() } else { why } });

@@ -117,7 +117,7 @@ impl VerdictContext<'_> {
         let rest = if is_complete { phrases::LEAVES_NOTHING } else { phrases::LEAVES_A_PART };
         let is_smaller = after < before;
         let [before, after] = [before, after].map(|mean_square| format!("{:.2}", mean_square.sqrt()));
-        // A more probable structure may have fewer or other parameters and no smaller residual.
+        // The most probable structure may have fewer or other parameters, so its residual is not always smaller.
         let falls = is_smaller && before != after;
         let residual = Sentence::from(if falls { phrases::RESIDUAL_FALLS } else { phrases::RESIDUAL_STAYS })
             .with("before", before)

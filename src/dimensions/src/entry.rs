@@ -69,7 +69,8 @@ const fn row(
 
 /// The table of entries, in the order of [`Entry`]. Tolerances are those of production (bore and rod to ISO 286 IT 9)
 /// and of filling with oil and gas. Lengths have a wider tolerance, because the lengths of a drawing do not account for
-/// valves and washers. Tighter tolerances would give contradictions that are only differences of measurement.
+/// valves and washers. With tighter tolerances, ordinary differences of measurement would be reported as
+/// contradictions.
 pub const ENTRIES: [EntryRow; 17] = [
     row(Entry::Bore, "bore_mm", 1e-3, (5.0, 300.0), 0.005, "inner diameter of the tube in which the piston runs"),
     row(Entry::Rod, "rod_mm", 1e-3, (1.0, 150.0), 0.005, "diameter of the rod"),

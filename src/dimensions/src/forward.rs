@@ -68,7 +68,7 @@ fn modulus(oil_modulus: f64, bore: f64, wall: f64, tube: f64) -> f64 {
 }
 
 /// Formulas from entries to parameters. If the form error of a formula is too small, sound dampers have contradictions.
-/// If it is too large, the prior does not help to distinguish effects.
+/// If the form error is too large, the prior does not help to distinguish effects.
 const RULES: &[Rule] = &[
     Rule {
         number: number!("gas_force"),

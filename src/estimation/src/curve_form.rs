@@ -32,8 +32,8 @@ impl Mean {
     }
 }
 
-/// Computes the error of a curve at each of `velocities`, m/s, in N: the largest error in the parts of the two
-/// neighboring intervals. An interval has two parts.
+/// Computes the error of a curve, N, at each of its points; `velocities` are the velocities of the points, m/s. The
+/// error at a point is the largest error in the parts of the two neighboring intervals. An interval has two parts.
 ///
 /// `residual` contains the residuals of a fit at the scored samples of all tests, in units of their allowed errors.
 /// Samples have the weights that they have in the fit. Hysteresis is not an error of the curve, because its residuals

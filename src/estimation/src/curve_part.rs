@@ -79,8 +79,8 @@ impl CurvePart {
         }
     }
 
-    /// Returns the name of the rest of a part without another part, which covers it with no overlap. Returns `None` if
-    /// the rest is not a single part.
+    /// Returns the name of the part that completes `part` to `whole` without overlap. Returns `None` if there is no
+    /// such part.
     pub fn rest(whole: &str, part: &str) -> Option<&'static str> {
         let of = |name: &str| CurvePart::ALL.into_iter().find(|known| known.name() == name);
         let (whole, part) = (of(whole)?, of(part)?);

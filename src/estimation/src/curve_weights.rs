@@ -119,8 +119,8 @@ impl CurveWeights {
         (first, weights)
     }
 
-    /// Adds `factor` times the derivatives of the slope before (`side` 0) or after (`side` 1) a point to `weights`, the
-    /// derivatives of the curve's value.
+    /// Adds `factor` times the derivatives of the slope before (`side` 0) or after (`side` 1) a point. The sum is in
+    /// `weights`, the derivatives of the curve's value with respect to the forces from the point `first`.
     fn add_slope(&self, point: usize, side: usize, factor: f64, first: usize, weights: &mut [f64; POINTS]) {
         for (k, by) in self.slope_by[point][side].iter().enumerate() {
             if *by != 0.0 {

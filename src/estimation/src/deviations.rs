@@ -14,13 +14,16 @@ use std::collections::BTreeMap;
 /// Computes the covariance of the free parameters in the sandwich form (White, Econometrica 48, 1980), and the degree
 /// of determination of each parameter.
 ///
-/// The noise of every test comes from its own residual and accounts for the correlation of its samples. Errors of the
-/// model's form thus widen the intervals.
+/// The noise of every test comes from its own residual, which includes the form error of the model, and accounts for
+/// the correlation of its samples. Form errors thus widen the intervals.
+///
 /// The degree of determination states how far the records alone determine a parameter: 1 means fully, 0 means not at
 /// all. Correlation with other parameters reduces it, and the prior does not contribute to it.
+///
 /// A small change of a parameter may move a jump of the force from one sample to the next. The linearization is then
-/// not valid. The standard deviation of such a parameter is therefore widened according to the nonlinear force. Returns
-/// `None` if the Hessian is singular.
+/// not valid. The standard deviation of such a parameter is therefore widened according to the nonlinear force.
+///
+/// Returns `None` if the Hessian is singular.
 pub fn sandwich(hypothesis: &Hypothesis, refit: &Refit, tests: &[Test]) -> Option<(DMatrix<f64>, Vec<f64>)> {
     sandwich_of(hypothesis, refit, tests, &|theta| hypothesis.residual_by(Accuracy::Derivatives, tests, theta))
 }
@@ -57,9 +60,9 @@ pub(crate) fn sandwich_of(
 /// Number of standard deviations at which the linearization is compared with the nonlinear force. The ends of a 95 %
 /// interval are about this far from the estimate.
 const END: f64 = 2.0;
-/// Fraction of the linearized squared change below which the force counts as nearly constant. A force that is only
-/// nonlinear reaches at least half of the linearized change within the interval, so a quarter of its square. A force
-/// that jumps between two samples hardly changes.
+/// Ratio of the squared change of the force to its linearized value below which the force counts as nearly constant. If
+/// the force is only nonlinear, its change reaches at least half of the linearized change within the interval. The
+/// ratio is then at least a quarter. If the force jumps between two samples, its change is much smaller.
 const FLAT: f64 = 0.25;
 /// Largest factor by which a standard deviation is widened. The search for the factor ends there.
 const FARTHEST: f64 = 1024.0;
@@ -67,9 +70,9 @@ const FARTHEST: f64 = 1024.0;
 /// Computes, for each parameter, the factor on its standard deviation at which the squared change of the force reaches
 /// [`FLAT`] times the linearized one.
 ///
-/// The other parameters change with the parameter, according to their correlation. Of an increase and a decrease of the
-/// parameter, the one with the smaller change of the force determines the factor. The factor is at least 1. It is 1 for
-/// the parameters of curves, and for all if the forces at the refit are not finite.
+/// The other parameters change with the parameter, according to their correlation. The parameter is both increased and
+/// decreased, and the smaller change of the force determines the factor. The factor is at least 1. It is 1 for the
+/// parameters of curves, and for all parameters if the forces at the refit are not finite.
 fn stretches(
     hypothesis: &Hypothesis,
     refit: &Refit,
@@ -228,8 +231,9 @@ fn to_unit_diagonal(hessian: &DMatrix<f64>) -> (DMatrix<f64>, Vec<f64>) {
 /// Computes the shift of each free parameter for a unit error of a considered parameter, which is not estimated.
 ///
 /// A block contains derivatives of one test; `considered` contains the derivatives of its residuals with respect to the
-/// considered parameter. This is the term that a consider parameter adds to an estimate (Bierman, Factorization Methods
-/// for Discrete Sequential Estimation, 1977, VIII). Returns `None` if the Hessian is not positive definite.
+/// considered parameter. The shift times the standard deviation of the considered parameter is the error that this
+/// parameter adds to an estimate. The source is Bierman, Factorization Methods for Discrete Sequential Estimation,
+/// 1977, VIII. Returns `None` if the Hessian is not positive definite.
 pub fn considered_shift(
     blocks: &[(DMatrix<f64>, Vec<f64>)],
     precisions: &[f64],

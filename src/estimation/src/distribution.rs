@@ -18,8 +18,8 @@ pub enum Distribution {
     Skewed(f64, f64, f64),
 }
 
-/// Standard deviation of a strength in a search without a logarithm, relative to its median times its factor. The mean
-/// is 0. The value is large enough to avoid a bias toward 0.
+/// Standard deviation of a strength whose search coordinate is not a logarithm, in units of its median times its
+/// factor. The mean is 0. The value is large enough to avoid a bias toward 0.
 const FREE: f64 = 3.0;
 
 impl Distribution {

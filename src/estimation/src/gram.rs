@@ -17,8 +17,8 @@ type Pair = [f64; 2];
 /// `columns`.
 ///
 /// Each product is summed in the same order on every machine. A library for such products (`matrixmultiply`) selects
-/// code according to the processor, so the digits of a fit would depend on the processor. The library is faster, but
-/// this function compensates by computing only half of the symmetric product.
+/// code according to the processor, so the digits of a fit would depend on the processor. The library is faster for the
+/// full product, but this function computes only half of the products, because the result is symmetric.
 pub fn gram(columns: &DMatrix<f64>) -> DMatrix<f64> {
     let (rows, n) = columns.shape();
     let tiles = n.div_ceil(TILE);

@@ -14,7 +14,7 @@ use dashpot_records::Record;
 pub struct Heating {
     /// Beginning and end, s of the campaign's clock, and mean power, W, of every record.
     inputs: Vec<(f64, f64, f64)>,
-    /// Time at which the temperature of each test is evaluated, s of the campaign's clock, and the index of the test's
+    /// For each test, the time at which its temperature is evaluated, s of the campaign's clock, and the index of its
     /// record.
     looks: Vec<(f64, usize)>,
     /// Whether the records have one common clock, so that heat from earlier records is included.

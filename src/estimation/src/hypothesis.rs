@@ -152,7 +152,7 @@ impl Hypothesis {
         params
     }
 
-    /// Returns the value of a parameter with a free logarithm, or `None` if it is not free.
+    /// Returns the value of a parameter whose logarithm is free, or `None` if this logarithm is not free.
     fn exponential(&self, free: &Free, theta: &[f64]) -> Option<f64> {
         self.position(free).map(|place| libm::exp(theta[place]))
     }
@@ -305,8 +305,9 @@ impl Hypothesis {
         Some(DVector::from_vec(list))
     }
 
-    /// Computes derivatives of the forces with respect to the free parameters, divided by the allowed errors: one row
-    /// per scored sample. Returns `None` if the parameters are not a valid model, or if a force is not finite.
+    /// Computes derivatives of the forces with respect to the free parameters, divided by the allowed errors. The
+    /// matrix has one row per scored sample and one column per free parameter. Returns `None` if the parameters are not
+    /// a valid model, or if a force is not finite.
     ///
     /// A prepared [`Run`] gives the derivatives for all parameters of the model. Each other parameter, such as a
     /// measurement error or the cooling rate, requires a finite difference. A low-accuracy integration suffices if

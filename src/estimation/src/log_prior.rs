@@ -19,8 +19,8 @@ pub fn standard_scores(hypothesis: &Hypothesis, theta: &[f64]) -> Vec<(Number, f
             Free::Model(Unknown::Log(number) | Unknown::Linear(number)) => (number, params.number(number)),
             Free::Model(Unknown::Above(number, below)) => (number, params.number(number) - params.number(below)),
             Free::HeatCapacity => (number!("heat_capacity"), libm::exp(*value)),
-            // These parameters have no distribution over dampers. A prior of theirs, for example of a change from a
-            // reference damper, applies only in the refit. [`negative_log_prior`] adds that of a rise.
+            // These parameters have no distribution over dampers. Their own prior, for example that of a change from a
+            // reference damper, applies only in the refit. [`negative_log_prior`] adds the prior of a rise.
             Free::Shift(_)
             | Free::Curve(_)
             | Free::Rig(_)

@@ -1,4 +1,5 @@
-//! Range of a parameter over dampers and rigs. A value outside it is rare, so a user must not read it as a property of the damper.
+//! Range of a parameter over dampers and rigs. A value outside the range is rare, so a user must not interpret it as a
+//! property of the damper.
 
 use crate::distribution::Distribution;
 use crate::priors::distribution;
@@ -11,11 +12,12 @@ pub const RARE: f64 = 2.5;
 
 /// Largest force, N, by which the gas of a car's damper may seem to pull the rod in.
 ///
-/// Gas pushes the rod out. A load cell whose zero was set with the damper in the rig shows some newtons of either sign.
+/// Gas pushes the rod out. If the zero of the load cell was set with the damper in the rig, it shows some newtons of
+/// either sign.
 const PULL: f64 = 5.0;
 
-/// Returns the range of a parameter over dampers of a size and their rigs. Returns `None` for a parameter without a prior. The range of a
-/// strength begins at zero, because an effect may be absent.
+/// Returns the range of a parameter over dampers of a size and their rigs. Returns `None` for a parameter without a
+/// prior. The range of a strength begins at zero, because an effect may be absent.
 pub fn prior_range(number: Number, scale: Scale) -> Option<(f64, f64)> {
     let prior = distribution(number, scale)?;
     let (low, high) = prior.interval(RARE);

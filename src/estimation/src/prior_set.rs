@@ -101,9 +101,9 @@ impl PriorSet {
     /// dampers.
     ///
     /// A parameter costs the logarithm of the ratio of its prior width to its posterior width (the Occam factor:
-    /// MacKay, Neural Comput. 4, 1992). `cost` is that logarithm under the prior of all dampers. If the prior is
-    /// narrower than the posterior from the records alone, the reduction equals the cost. The reduction is never
-    /// larger.
+    /// MacKay, Neural Comput. 4, 1992). `cost` is that logarithm under the prior of all dampers. A narrower prior
+    /// reduces the cost, but never by more than the cost itself. The reduction equals the cost if the prior is narrower
+    /// than the posterior from the records alone.
     pub fn relief(&self, unknown: &Unknown, scale: Scale, cost: f64) -> f64 {
         let (Unknown::Log(number) | Unknown::Linear(number)) = unknown else { return 0.0 };
         self.find(*number).map_or(0.0, |row| row.sharpness(unknown, scale).min(cost))

@@ -15,8 +15,9 @@ use dashpot_records::load_cell::OF_CARS;
 use dashpot_records::restrict;
 
 /// Force of a typical car damper, N, to which the medians of the priors apply. It is the geometric mean of the force
-/// range of cars. The scale of a damper far beyond this range is relative to this force. Relative to the nearer end of
-/// the range, a weak damper would have the series stiffness of a weak car damper, which is too stiff.
+/// range of cars. The scale of a damper far beyond this range is relative to this typical force. With a scale relative
+/// to the end of the range, a weak damper would have the series stiffness of a weak car damper. This stiffness is too
+/// high.
 const TYPICAL: f64 = 1500.0;
 /// Width, as a force ratio, of the transition beyond the force range of cars. In the transition, the scale changes
 /// continuously from 1, so that similar dampers have similar scales.

@@ -173,7 +173,8 @@ struct ParallelUnknown {
     per: f64,
 }
 
-/// An element parallel to the mass that has a state or is a stop. It is simulated alone.
+/// An element parallel to the mass that has an internal state or is a stop. Its derivatives are differences of
+/// simulations of this element alone.
 struct Alone {
     element: Option<Element>,
     model: Model,
@@ -187,8 +188,8 @@ struct Alone {
 pub enum Accuracy {
     /// The integration that host programs use.
     Full,
-    /// Four substeps per sample of the fourth-order method: accurate enough for the result of a fit. Eight substeps
-    /// apply to a series spring that carries the whole force, and to a bypass that opens at each reversal. With one
+    /// Four substeps per sample of the fourth-order method: accurate enough for the result of a fit. The number is
+    /// eight with a series spring that carries the whole force, and with a bypass that opens at each reversal. With one
     /// substep, tests of 120 samples per cycle gave a series damping that was 450 N s/m too high, outside its interval
     /// (tests/tests/system/identification.rs).
     Fine,
@@ -202,9 +203,9 @@ pub enum Accuracy {
     /// percent, at a third of the cost of [`Accuracy::Single`].
     Cheap,
     /// One substep of the second-order method. It suffices for derivatives, because the residuals determine the result
-    /// of a search. It also suffices for the comparison of hypotheses near a refitted one, whose known error corrects
-    /// the residuals (`structure/nearby.rs`). Two substeps apply to a series spring that carries the whole force, and
-    /// to a bypass that opens at each reversal.
+    /// of a search. It also suffices for hypotheses near a refitted one, because the known error at the refitted
+    /// hypothesis corrects their residuals (`structure/nearby.rs`). The number is two with a series spring that carries
+    /// the whole force, and with a bypass that opens at each reversal.
     Derivatives,
 }
 
@@ -527,9 +528,9 @@ impl Run {
 
 /// Points of a curve among the directions of a run.
 struct CurvePart {
-    /// Position of the first point, or [`NOWHERE`].
+    /// Index of the first point among the directions, or [`NOWHERE`].
     first: usize,
-    /// Point at which the curve is zero.
+    /// Index of the point at which the curve is zero.
     zero: usize,
     count: usize,
 }
@@ -800,9 +801,9 @@ mod tests {
             }
             let unknowns = Unknowns { base, list };
             let theta = unknowns.start();
-            // Some event times jump from sample to sample if a parameter changes. They are the times at which a void
-            // closes, and at which a lag changes its time constant. For a void with gas, the opening time also jumps.
-            // The time at which friction behind a series spring reverses also jumps.
+            // Some event times jump from sample to sample if a parameter changes, so the derivative has an error there.
+            // Such events are the closing of a void, and the change of the time constant of a lag. The opening of a
+            // void with gas, and the reversal of friction behind a series spring, are further ones.
             let turns = settings.iter().any(|(name, _)| *name == "series_load");
             let jumps = case.contains(&"cavitation") || case.contains(&"lagged_polynomial") || turns;
             let without = match (gassy, jumps) {

@@ -43,8 +43,8 @@ pub struct Situation {
     pub temperature: f64,
     /// Time between the middles of the first and the last test on the clock of the campaign, s.
     pub clock_span: f64,
-    /// Times midway between successive tests whose middles are more than 1 s apart, s of the campaign's clock. A load
-    /// cell may have been zeroed at these times. The first and the last pair of tests are excluded.
+    /// Times midway between successive tests whose middles are more than 1 s apart, s of the campaign's clock. At these
+    /// times, the zero of the load cell may have been set again. The first and the last pair of tests are excluded.
     pub pauses: Vec<u32>,
     /// Delay of the force channel estimated from the raw data of the first record, s; 0 if none was significant.
     pub apparent_delay: f64,

@@ -6,8 +6,8 @@
 //! - A step may account for the curvature of the residuals by one more evaluation (geodesic acceleration, Transtrum &
 //!   Sethna, arXiv:1201.5885, 2012). Narrow curved valleys, common for friction with a steep curve, then require tens
 //!   of steps instead of thousands.
-//! - If a Jacobian costs many runs and only a ranking is required, Broyden's rank-one update (Math. Comp. 19, 1965)
-//!   replaces its computation. Columns of zeros remain zero (Schubert, Math. Comp. 24, 1970).
+//! - If a Jacobian costs many model runs and only a ranking of hypotheses is required, Broyden's rank-one update (Math.
+//!   Comp. 19, 1965) replaces its computation. Columns of zeros remain zero (Schubert, Math. Comp. 24, 1970).
 //! - The residuals are grouped in blocks, for example one for each test. The rows of each block are reduced to a
 //!   triangular factor (see [`reduce()`]) and stacked in their order. Therefore, a result does not depend on the number
 //!   of threads.
@@ -15,7 +15,7 @@
 //!   that step.
 //! - Huber's loss uses reweighting (Ann. Math. Stat. 35, 1964). Gaussian priors are further rows.
 //! - A fit has converged when a full linear step would reduce the cost by less than a relative tolerance (Bates &
-//!   Watts, Technometrics 23, 1981). A short damped step is not a criterion.
+//!   Watts, Technometrics 23, 1981). The length of a damped step is no criterion, because damping alone makes it short.
 
 mod differences;
 mod reduce;
@@ -33,7 +33,7 @@ use reduce::reduce;
 /// A least-squares problem: weighted residuals in one or more blocks. A residual is model minus measurement, divided by
 /// the error.
 pub trait Residuals: Sync {
-    /// Data that all blocks share at one point: a model, for example, or the parameters themselves.
+    /// Data that all blocks share for one parameter vector, for example a model or the parameters themselves.
     type At: Sync;
 
     /// Prepares the shared data, or returns `None` if the parameters are not a valid model.
@@ -44,8 +44,8 @@ pub trait Residuals: Sync {
         1
     }
 
-    /// Returns whether a block is measured and may contain outliers. The loss of any other block is half the sum of its
-    /// squares.
+    /// Returns whether the residuals of a block come from measurements, which may contain outliers. The [`Loss`] of the
+    /// options applies only to such blocks. The loss of any other block is half the sum of its squares.
     fn is_measured(&self, _block: usize) -> bool {
         true
     }
@@ -178,10 +178,10 @@ pub struct Options {
     /// Levenberg–Marquardt damping of the first step, for columns scaled to length 1. It is 1 for an arbitrary start,
     /// and small for a good start.
     pub damping: f64,
-    /// Number of successive accepted steps with a gain below the tolerance after which a search ends.
+    /// Number of successive accepted steps with a relative gain of at most the tolerance after which a search ends.
     ///
-    /// This criterion is necessary because the linear step predicts gains that do not occur if data do not determine a
-    /// direction.
+    /// Without this criterion, a search may not converge if the data do not determine a direction. In such a direction,
+    /// the linear step predicts gains that do not occur.
     pub quiet: usize,
 }
 
@@ -269,7 +269,8 @@ impl Search<'_> {
         all.into_iter().collect()
     }
 
-    /// Returns residuals and derivatives at the start, with given derivatives if known.
+    /// Computes the residuals of all blocks at `x`, and their derivatives unless `jacobian` contains them. Returns
+    /// `None` if residuals or derivatives are missing or not finite.
     fn first_rows(&self, x: &[f64], jacobian: Option<Vec<DMatrix<f64>>>) -> Option<Vec<Rows>> {
         let at = self.problem.prepare(x)?;
         let residuals = self.residuals(&*at)?;
@@ -335,9 +336,9 @@ impl Search<'_> {
         Linear { factor, right }
     }
 
-    /// Computes the gradient due to half the second derivative of the residuals along a step, from one further
-    /// evaluation. Returns `None` if the evaluated point is outside the bounds or not a valid model, or if the gradient
-    /// is not finite.
+    /// Computes the gradient due to the curvature of the residuals along a step: the product of the transposed Jacobian
+    /// and half the second directional derivative. The second derivative comes from one further evaluation. Returns
+    /// `None` if the evaluated point is outside the bounds or not a valid model, or if the gradient is not finite.
     fn bend(&self, x: &[f64], rows: &[Rows], step: &DVector<f64>) -> Option<DVector<f64>> {
         let probe: Vec<f64> = x.iter().zip(step.iter()).map(|(x, s)| x + PROBE * s).collect();
         if self.bounds.inside(&probe) != probe {
@@ -366,7 +367,7 @@ impl Search<'_> {
 /// Smallest ratio of a stored length of a Jacobian column to its previous value. The value 1 is Moré's rule (Lect.
 /// Notes Math. 630, 1978), and 0 is Marquardt's rule.
 const FADE: f64 = 0.5;
-/// Damping below which a step equals the full linear step to rounding.
+/// Smallest damping of a search. With this damping, a step differs from the full linear step only by rounding.
 const LEAST_DAMPING: f64 = 1e-16;
 /// Fraction of a step at which the curvature of the residuals is evaluated.
 const PROBE: f64 = 0.1;
@@ -493,7 +494,7 @@ fn search(
         let arrived = system.left <= options.tolerance * now.cost;
         if arrived {
             end.converged = true;
-            // Try a last full step, because the criterion applies to the point before the step.
+            // The criterion applies to the point before the step, so one further step without damping is tried.
             now.damping = LEAST_DAMPING;
         }
         if system.free.is_empty() {
@@ -542,7 +543,8 @@ fn search(
             None => {
                 now.reject();
                 if options.derivatives == Derivatives::Kept {
-                    // The updated derivatives contain the information of the rejected step.
+                    // The updated derivatives contain the information of the rejected step, so the linear problem
+                    // changes.
                     now.linear = search.linear(&now.x, &now.rows);
                 }
             }
@@ -564,7 +566,8 @@ impl Search<'_> {
 
     /// Returns the end of a step that is corrected for the curvature of the residuals.
     ///
-    /// Returns `None` if the options do not ask for it or if the correction is large. `step` is the linear step with the triangular factor of its system.
+    /// Returns `None` if the options do not ask for the correction, if it cannot be computed, or if it is large. `step`
+    /// is the linear step with the triangular factor of its system.
     fn bent_end(
         &self,
         now: &Iterate,
@@ -593,7 +596,8 @@ impl Search<'_> {
     }
 }
 
-/// Smallest factor on the damping after a step with the predicted reduction.
+/// Smallest factor by which an accepted step changes the damping. It applies if the actual reduction of the cost is
+/// close to the predicted one, or larger.
 const FASTEST: f64 = 1.0 / 3.0;
 
 /// The linear problem in the parameters without an active bound, with columns scaled to length 1.
@@ -793,7 +797,7 @@ mod tests {
 
     #[test]
     fn the_lowest_of_several_starts_is_kept() {
-        // There are two local minima. The cost is zero only at the right one.
+        // There are local minima near x = 2 and near x = −2. The cost is zero only at x = 2.
         let valleys = Of(|x: &[f64]| vec![(x[0] * x[0] - 4.0) * 0.5, 0.1 * (x[0] - 2.0)]);
         let left = solve(&valleys, &[-3.0], &Bounds::none(1), &Options::default());
         assert!(left.x[0] < 0.0);
@@ -854,7 +858,7 @@ mod tests {
         let kept = Options { derivatives: Derivatives::Kept, damping: 1e-3, steps: 60, ..Options::default() };
         let found = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &kept);
         near(&found.x, &[3.0, 0.7], 1e-4);
-        // Start with derivatives that have an error of a tenth.
+        // Start with derivatives that are 10 % too large.
         let wrong = solve(&curve, &[2.0, 1.0], &Bounds::none(2), &Options { steps: 0, ..kept.clone() });
         let known = vec![1.1 * &wrong.rows[0].jacobian];
         let found = solve_knowing(&curve, &[2.0, 1.0], Some(known), &Bounds::none(2), &kept);

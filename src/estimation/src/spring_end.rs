@@ -21,8 +21,9 @@ fn middle(x: &[f64], force: &[f64]) -> f64 {
     }
 }
 
-/// Computes the excess force, N, at the spring's end in rebound (`side` = 1) or compression (−1) over the extrapolated
-/// middle. Without a lookup spring of at least three points, the excess is 0.
+/// Computes the excess force, N, at one end of a spring over the linear extrapolation of the spring's middle. The end
+/// is that of rebound (`side` = 1) or compression (−1). The excess is at least 0. It is 0 without a lookup spring of at
+/// least three points.
 pub fn excess(base: &Params, side: f64) -> f64 {
     let (x, force) = (base.list(list!("spring_displacement")), base.list(list!("spring_force")));
     if !base.is_on(element!("parallel_spring")) || x.len() < 3 {

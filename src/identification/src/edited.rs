@@ -1,4 +1,5 @@
-//! Detection of numbers of a model file that were changed since the fit. Such a number lies outside its interval from the fit.
+//! Detection of numbers of a model file that were changed since the fit. A changed number is detected if it is outside its interval from
+//! the fit.
 
 use crate::fit_tables::{Identification, Interval, IntervalOverSetting};
 use dashpot_core::Params;

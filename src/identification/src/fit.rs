@@ -180,7 +180,7 @@ struct Found {
 }
 
 impl Found {
-    /// Adds a note and an estimate that say that the records cannot determine a parameter, so that its element stays off.
+    /// Adds a note and an estimate for a parameter that the records cannot determine. The element of the parameter stays off.
     fn leave_out(&mut self, number: Number, why: Template) {
         self.notes.push(Sentence::from(phrases::NOT_IDENTIFIED).with("name", number).with_sentence("why", why));
         let (name, unit) = (number.name(), number.parameter().unit);
@@ -508,7 +508,8 @@ fn fit_thesis(
         |other: &Alternative| (other.weight, estimates(&other.structure.hypothesis, &other.structure.refit, tests));
     mix(&mut found.estimates, &others.iter().map(of).collect::<Vec<_>>());
     found.inventory = inventory;
-    // The note also applies if the best structure has no series path, because a leading force channel can hide a series path.
+    // The note also applies if the best structure has no series path, because a leading force channel can cancel the phase of a series
+    // path.
     if allowed(element!("series_compliance")) && !of_the_rig::can_distinguish_delay(tests) {
         found.notes.push(if tests.len() > 1 { phrases::ONE_RATE } else { phrases::ONE_TEST }.into());
     }
@@ -725,7 +726,7 @@ mod tests {
         assert!(said(&[(0.005, fast), (0.05, fast), (0.05, slow)], both).is_empty());
         assert!(said(&[(0.05, slow), (0.05, fast)], both)[0].contains("the spring and the series stiffness rest"));
         assert!(said(&[(0.005, slow), (0.05, fast), (0.05, fast)], both)[0].contains("tests faster than 6 mm/s have"));
-        // One test is not all tests, and a model without such an element has nothing that rests on the frequency.
+        // A single test gives no note on the amplitudes of all tests. A model without spring and series stiffness gives no note at all.
         assert!(said(&[(0.05, slow)], both).is_empty() && said(&[(0.005, slow), (0.05, fast)], both).is_empty());
         assert!(said(&[(0.05, slow), (0.05, fast)], &["gas_spring"])[0].contains("the spring rests"));
         assert!(

@@ -149,7 +149,8 @@ impl ModelFile {
         all
     }
 
-    /// Returns [`energy_remark`] of a damper over a setting that no fit made, or that was changed since its fit. A fit has its own note.
+    /// Returns the remark on energy ([`energy_remark`]) for a damper over a setting whose file comes from no fit or was changed since the
+    /// fit. Returns `None` for an unchanged file of a fit, because the fit has its own note.
     pub fn remark_on_energy(&self) -> Option<Sentence> {
         let is_by_hand = !self.identification.is_of_a_fit() || self.was_changed();
         if self.axis.is_some() && is_by_hand { energy_remark(&self.definition()) } else { None }

@@ -92,7 +92,7 @@ impl Measured {
         Measured { value: self.value + before, low: self.low + before, high: self.high + before, ..self }
     }
 
-    /// Adds the error `rest`, found in the corrected records, to this error, for which they were corrected. The two errors count as
+    /// Adds the error `rest` to this error. It was found in records that were already corrected for this error. The two errors count as
     /// independent, so the squares of their half-widths add.
     pub fn and(self, rest: Measured) -> Measured {
         let value = self.value + rest.value;

@@ -1,4 +1,5 @@
-//! Remarks on values that dampers and rigs do not show. Such a value compensates for something that the model lacks.
+//! Remarks on values outside the range of dampers and rigs. Such a value compensates for an effect that the model
+//! lacks.
 
 use crate::phrases;
 use crate::{Estimate, Standing};
@@ -10,9 +11,10 @@ use dashpot_estimation::scale::Scale;
 use dashpot_messages::Sentence;
 use dashpot_records::Reading;
 
-/// Formats a remark if an identified or assumed value is outside what dampers and rigs show.
+/// Formats a remark if an identified or assumed value is outside the range of dampers and rigs ([`prior_range`]).
 ///
-/// Returns `None` for a number without effect, and for a number with a prior of this damper in `own`, which states more.
+/// Returns `None` for a number without effect. Also returns `None` for a number with a prior of this damper in `own`,
+/// because this prior is more specific than the range of all dampers.
 pub(crate) fn describe_rare(estimate: &Estimate, params: &Params, own: &PriorSet) -> Option<Sentence> {
     let number = Number::find(estimate.name).ok()?;
     let has_own = own.rows().iter().any(|row| row.number == number);
@@ -69,7 +71,8 @@ mod tests {
         let said = describe_rare(&gas(-10.76), &params, &none).unwrap().to_string();
         assert!(said.starts_with("gas_force is assumed at -10.76 N"), "{said}");
         assert!(describe_rare(&gas(150.0), &params, &none).is_none());
-        // The drawing of a damper states what its gas is, and an element that is off has none.
+        // There is no remark if this damper has its own prior of the gas force, or if the element of the gas force is
+        // off.
         let source = "gas_pressure_bar: drawing".to_owned();
         let expected = Distribution::Place(-10.0, 1.0);
         let own = PriorSet::new(vec![DamperPrior { number: number!("gas_force"), expected, source }]);

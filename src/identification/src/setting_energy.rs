@@ -1,4 +1,4 @@
-//! What of a damper over a setting may do work on the host when the setting changes: stored energy, and forces at rest.
+//! Quantities of a damper that may do work on the host when its setting changes: energy stores, and forces at rest.
 
 use crate::phrases;
 use dashpot_core::family::Definition;
@@ -7,19 +7,20 @@ use dashpot_core::{Model, element, list, number};
 use dashpot_messages::Sentence;
 use dashpot_records::{Reading, setting_in_words};
 
-/// Smallest variation of the FV curve's force at rest that counts, as a fraction of the largest force of the curve.
+/// Largest variation of a quantity over the settings that counts as rounding, as a fraction of the quantity. For a force, it is a fraction
+/// of the largest force of the FV curve, or of the quantity if that is larger.
 ///
-/// A curve between its points is interpolated with rounding errors of 1e-16. A larger limit would hide a preload that a user wrote into the
-/// file.
+/// Interpolation between the points of a curve has rounding errors of 1e-16. With a larger limit, a preload that a user wrote into the file
+/// could be ignored.
 ///
 /// Test: `a_force_of_the_curve_at_rest_is_found`.
 const ROUNDING: f64 = 1e-9;
 
-/// Returns what a change of the setting may take energy from, with the range of each number. The list is empty if every change only affects
-/// how much energy the damper dissipates.
+/// Describes each quantity through which a change of the setting may do work on the host, with its range over the settings. The list is
+/// empty if every change only affects how much energy the damper dissipates.
 ///
-/// These are numbers of energy stores and of forces at rest, the force of the FV curve at zero velocity, and the lagging force of
-/// frequency-selective damping.
+/// The quantities are numbers of energy stores and of forces at rest, and the force of the FV curve at zero velocity. The lagging force of
+/// frequency-selective damping is another one.
 pub fn energy_sources(damper: &Definition) -> Vec<Sentence> {
     let mut sources: Vec<Sentence> = damper
         .axis
@@ -64,7 +65,7 @@ fn forces_at_rest(damper: &Definition) -> Vec<f64> {
     damper.axis.grid().iter().filter_map(at).collect()
 }
 
-/// Describes the range of a quantity over the grid, with its settings. Returns `None` if the values are equal.
+/// Describes the range of a quantity over the grid, with its settings. Returns `None` if the values are equal except for [`ROUNDING`].
 fn range(damper: &Definition, values: &[f64], unit: &'static str) -> Option<Sentence> {
     let all = || damper.axis.grid().iter().copied().zip(values.iter().copied());
     let low = all().min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -80,10 +81,10 @@ fn range(damper: &Definition, values: &[f64], unit: &'static str) -> Option<Sent
     Some(text.with("high", value(high.1)).with("high_at", at(high.0)))
 }
 
-/// Returns whether a force that lags, as a state, depends on the setting.
+/// Returns whether the lagging force, a state of frequency-selective damping, depends on the setting.
 ///
 /// In the filter form, frequency-selective damping adds a fraction of the lagging FV force. After a change to a soft setting, this fraction
-/// remains for the time of the lag and may push the damper.
+/// decays with the time constant of the lag, and may push the damper.
 fn stores_lagging_force(damper: &Definition) -> bool {
     let element = element!("frequency_selective_damping");
     let is_filter = damper.params.is_on(element) && damper.params.number(number!("fsd_form")) == 0.0;
@@ -173,7 +174,7 @@ mod tests {
             )
         };
         assert!(!remarks(&fitted(75.0)).iter().any(|text| text.contains("may do work")), "the fit has its own note");
-        // A number that was changed since the fit.
+        // The file of a fit also gets the remark if a number was changed since the fit.
         assert!(remarks(&fitted(85.0)).iter().any(|text| text.contains("may do work")));
     }
 }

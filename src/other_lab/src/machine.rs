@@ -149,8 +149,8 @@ impl<'a> Machine<'a> {
     }
 }
 
-/// Computes the position-dependent force of a gas column of a length, m, at the displacement `x`, m, divided by its
-/// stiffness: m. The gas column is softer in extension.
+/// Computes the change of the force of a gas column with the displacement `x`, m, divided by the stiffness of the
+/// column, m. `length` is the length of the gas column at mid-stroke, m. The column is softer in extension.
 fn gas(x: f64, length: f64) -> f64 {
     x / (1.0 + x / length).max(0.2)
 }
@@ -166,8 +166,8 @@ impl Equations for Machine<'_> {
         &self.tolerances
     }
 
-    /// Limits the step, s, near a reversal, because friction reverses within about 1 mm/s. If friction acts in parallel
-    /// with the mount, the error control of the states does not resolve this reversal.
+    /// Returns the longest step, s, which is short near a reversal, because friction reverses within about 1 mm/s. If
+    /// friction acts in parallel with the mount, the error control of the states does not resolve this reversal.
     fn longest(&self, at: &Instant) -> f64 {
         0.4 * (at.input.v.abs() + TURNS) / at.input.a.abs().max(1e-9)
     }

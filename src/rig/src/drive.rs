@@ -10,8 +10,7 @@ const REST_S: f64 = 0.25;
 /// Shortest ramp of the amplitude, s. At 25 Hz, this ramp takes several cycles, because an actuator does not reach the
 /// amplitude within one cycle.
 const SHORTEST_RAMP_S: f64 = 0.3;
-/// Frequency, Hz, below which the ramp of the amplitude has only half a cycle, because half a cycle then takes at least
-/// ten seconds.
+/// Frequency, Hz, below which the ramp of the amplitude lasts only half a cycle. It then takes at least ten seconds.
 const SLOW_FREQUENCY_HZ: f64 = 0.05;
 /// Shortest and longest standstill in a test of a short campaign, s. Within these limits, the standstill is a quarter
 /// cycle.

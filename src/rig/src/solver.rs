@@ -139,8 +139,8 @@ impl<const N: usize, F: Fn(f64, &[f64; N]) -> [f64; N]> Integrator<N, F> {
                 self.renew_jacobian();
             }
             let proposal = step * factor;
-            // If `end` shortened this step, the next step may be as long as the one proposed earlier, up to four times
-            // the new proposal.
+            // If `end` shortened this step, the next step may be as long as the step before this shortening. It is at
+            // most four times the new proposal.
             self.step = if step < self.step { proposal.max(self.step.min(4.0 * proposal)) } else { proposal };
         }
         Ok(())

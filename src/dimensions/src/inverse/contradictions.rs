@@ -12,16 +12,16 @@ use dashpot_core::parameter::Number;
 use dashpot_messages::Sentence;
 use dashpot_records::reading_unit;
 
-/// Largest factor by which the search for a cause of a contradiction changes an entry, as a natural logarithm: a
-/// hundred. A mistaken unit gives a larger factor, and is mostly outside the bounds of the entry.
+/// Natural logarithm of the largest factor, a hundred, by which the search for the cause of a contradiction changes an
+/// entry. A mistaken unit gives a larger factor, and the mistaken entry is mostly outside its bounds.
 const LARGEST_CHANGE: f64 = 4.6;
-/// Step of the change of an entry in the search for a cause, as a natural logarithm. The result is interpolated within
-/// the step.
+/// Step of the natural logarithm of an entry in the search for the cause of a contradiction. The result is interpolated
+/// within the step.
 const STEP: f64 = 0.02;
-/// Largest ratio of a cause's change to the smallest change among all causes at which the entry is in doubt. Changes
-/// count in tolerances of their entry.
+/// Largest ratio of a cause's change to the smallest change of all causes at which the entry of the cause is in doubt.
+/// Every change is in units of the tolerance of its entry.
 ///
-/// With a larger ratio, the diameter of the rod would be in doubt wherever the oil column is, and with it every
+/// With a larger ratio, each contradiction of the oil column would also put the rod diameter in doubt, and thus every
 /// quantity. Test: `round_trip.rs`.
 const AS_LIKELY: f64 = 2.0;
 
@@ -61,9 +61,9 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
         let with_eyes = number == number!("oil_stiffness") && !has_series;
         let expectation =
             if with_eyes { in_series_with_eyes(expectation.clone(), drawing) } else { expectation.clone() };
-        // Without an oil column, the series spring includes eyes and oil, so it may be softer than the eyes. Likewise,
-        // an oil column without a series spring includes eyes and oil. It may be softer than the oil if the drawing
-        // does not state the eyes.
+        // Without an oil column, the series spring includes the compliance of eyes and oil, so it may be softer than
+        // the eyes. Likewise, an oil column without a series spring includes the compliance of eyes and oil. It may be
+        // softer than the oil if the drawing does not state the stiffness of the eyes.
         let may_be_softer =
             if is_series { !has_column } else { with_eyes && drawing.stated(Entry::EyeStiffness).is_none() };
         let is_below = own.high < expectation.expected.low && !may_be_softer;
@@ -150,7 +150,8 @@ fn contradiction(own: Uncertain, expectation: Expectation, stand: &Stand<'_>, dr
     }
 }
 
-/// Returns the stated entries that alone explain the value of the model with another value, the smallest change first.
+/// Returns the stated entries that explain the value of the model if only that entry has another value. The entry with
+/// the smallest change, in units of its tolerance, is first.
 fn causes(own: f64, expectation: &Expectation, stand: &Stand<'_>, drawing: &Dimensions) -> Vec<Cause> {
     let rows = ENTRIES.iter().filter(|row| expectation.from.contains(&row.key));
     let mut causes: Vec<Cause> = rows
@@ -177,8 +178,8 @@ fn causes(own: f64, expectation: &Expectation, stand: &Stand<'_>, drawing: &Dime
     causes
 }
 
-/// Returns the smallest positive change up to [`LARGEST_CHANGE`] at which a function changes its sign. Stops where the
-/// function has no value.
+/// Returns the smallest positive change up to [`LARGEST_CHANGE`] at which a function changes its sign. Returns `None`
+/// if there is no such change, or if the function has no value at a smaller change.
 fn first_zero(function: impl Fn(f64) -> Option<f64>) -> Option<f64> {
     let mut last = function(0.0)?;
     let steps = (LARGEST_CHANGE / STEP) as usize;

@@ -67,8 +67,8 @@ fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>,
     let (stiffness, source, note) = match model.number(number!("gas_stiffness")) {
         Standing::Known(stiffness) => (stiffness, "gas_stiffness", None),
         Standing::Off => match model.number(number!("spring_linear")) {
-            // A damper seldom has another spring over its whole stroke than the gas, so the parallel spring counts as
-            // the gas.
+            // The gas is nearly always the only spring over the whole stroke of a damper, so the parallel spring counts
+            // as the gas.
             Standing::Known(spring) if spring.low > 0.0 => (spring, "spring_linear", Some(phrases::IF_SPRING_IS_GAS)),
             _ => return to.unknown.push(gap(phrases::NO_GAS_SPRING, vec!["gas_stiffness"])),
         },
@@ -85,8 +85,9 @@ fn volume(model: &Identified, drawing: &Dimensions, pressure: Option<Uncertain>,
     let found = through(&inputs, |x| if x[1] > 0.0 { gas::volume(x[0], x[1], x[2]) * x[3] } else { f64::INFINITY });
     let pressure = if stated.is_some() { Entry::GasPressure.key() } else { "gas_force" };
     let from = vec![source, pressure, Entry::Rod.key()];
-    // A drawn volume above the interval leaves a part of the spring to something else than the gas. A softer spring than
-    // the drawn gas is a contradiction.
+    // If the drawing states a larger gas volume than the interval, the gas is softer than the parallel spring. The rest
+    // of the stiffness then has another cause, which the note states. A smaller gas volume in the drawing is a
+    // contradiction and is reported separately.
     let stated = drawing.stated(Entry::GasVolume).filter(|stated| found.high.is_some_and(|high| stated.low > high));
     let note = match (note, stated) {
         (Some(_), Some(stated)) => Some(

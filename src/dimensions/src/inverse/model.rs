@@ -73,7 +73,8 @@ impl Identified<'_> {
                 let [low, high] = ends.get(k).map_or([0.0; 2], |[low, high]| {
                     if stroke > 0.0 { [half(*low), half(*high)] } else { [half(*high), half(*low)] }
                 });
-                // If the interval of a point reaches zero, its lower end is a small force of the point's sign.
+                // If the interval of a point reaches zero, its lower end is replaced by the fraction [`SMALLEST`] of
+                // the force.
                 let low = (value - low).max(SMALLEST * value);
                 (velocity.abs(), Uncertain { value, low, high: value + high })
             })

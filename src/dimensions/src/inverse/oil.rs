@@ -175,7 +175,8 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     }
 }
 
-/// Adds the modulus of the oil with its air, without the tube's compliance, or a gap, to the explanation.
+/// Adds the modulus of the oil with its air, without the tube's compliance, to the explanation. If the modulus cannot
+/// be determined, adds a [`Gap`] instead.
 fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "oil_modulus";
     let needed = [Entry::Bore, Entry::TubeWall];
@@ -198,8 +199,8 @@ fn without_tube(drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Exp
 
 const NAME_OF_EFFECTIVE: &str = "oil_modulus_effective";
 
-/// Adds the content of free air, or a gap, to the explanation. The content follows from the stroke of the aeration
-/// element or from the reduced modulus of the oil.
+/// Adds the content of free air to the explanation. The content follows from the stroke of the aeration element, or
+/// from the reduced modulus of the oil. If it cannot be determined, adds a [`Gap`] instead.
 fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, to: &mut Explanation) {
     const NAME: &str = "air_content";
     let chamber = [Entry::GasPressure, Entry::ReboundChamber];

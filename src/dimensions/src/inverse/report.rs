@@ -20,7 +20,8 @@ pub struct Quantity {
     pub unit: &'static str,
     /// Parameters of the model and entries of the drawing from which the quantity follows.
     pub from: Vec<&'static str>,
-    /// Error factor due to the model's form in 95 of 100 dampers. The interval includes this error.
+    /// Factor within which the error due to the form of the model lies in 95 of 100 dampers. The interval includes this
+    /// error.
     pub model_error: f64,
     /// Further remark, if any.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -55,13 +56,13 @@ pub struct Contradiction {
     pub unit: &'static str,
     /// Entries of the drawing from which `dimensions` was computed. At least one of them, or the model, is wrong.
     pub entries: Vec<&'static str>,
-    /// Entries that alone would explain the contradiction with another value, the smallest change first.
+    /// Entries that would explain the contradiction if only that entry had another value, the smallest change first.
     pub causes: Vec<Cause>,
     /// The contradiction as a sentence.
     pub text: Sentence,
 }
 
-/// An entry of the drawing that alone explains a contradiction if it has another value.
+/// An entry of the drawing that would explain a contradiction if only this entry had another value.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Cause {
     /// Key of the entry in the drawing.

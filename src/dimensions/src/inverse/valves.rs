@@ -133,7 +133,8 @@ struct Passages<'a> {
 impl Passages<'_> {
     /// Returns the uncertain numbers from which a quantity follows.
     ///
-    /// They are the inputs, the factor of the error of the law, the forces below the knee, and more.
+    /// They are the inputs, the error factor of the quantity, the forces below the knee, and the numbers `more`, in
+    /// this order.
     fn numbers(&self, error: f64, more: &[Uncertain]) -> Vec<Uncertain> {
         let mut all = self.inputs.clone();
         all.push(Uncertain::within_factor(1.0, error));
@@ -152,7 +153,7 @@ impl Passages<'_> {
         self.stroke.area(self.design, numbers[0], numbers[1])
     }
 
-    /// Adds the bleed and the leak, or why they are unknown.
+    /// Adds the bleed and the leak to the explanation, or the reasons why they are unknown.
     fn explain_bleed(&self, to: &mut Explanation) {
         let [bleed, leak, _] = self.stroke.names;
         if self.below.len() < 2 {
@@ -180,7 +181,8 @@ impl Passages<'_> {
         }
     }
 
-    /// Adds the blow-off valve, or why it is unknown. `above` are the points beyond the knee.
+    /// Adds the blow-off valve to the explanation, or the reason why it is unknown. `above` are the points beyond the
+    /// knee.
     fn explain_blow_off(&self, above: &[(f64, Uncertain)], to: &mut Explanation) {
         let [.., blow_off] = self.stroke.names;
         let unknown = |why: Template| gap(blow_off, why, &[], &["fv_force at a fast speed"]);
@@ -213,7 +215,8 @@ impl Passages<'_> {
     }
 }
 
-/// Makes the entry of an unknown quantity with what it needs: entries of the drawing, and parameters of the model.
+/// Makes the [`Gap`] of an unknown quantity. It states the entries of the drawing and the parameters of the model that
+/// the quantity needs.
 fn gap(name: &'static str, why: Template, entries: &[&'static str], parameters: &[&'static str]) -> Gap {
     Gap { name, why: why.into(), entries: entries.to_vec(), parameters: parameters.to_vec() }
 }

@@ -51,10 +51,11 @@ impl ActuatorForm {
         ActuatorForm { lag: Ways::Neither, dead_time: false, rate: Ways::Neither, hysteresis: false };
 }
 
-/// A free parameter of an actuator: the entries of the axis that it sets, its transformation, start, bounds and prior.
+/// A free parameter of an actuator: the entries of the setting [`Axis`] that it sets, its transformation, start, bounds
+/// and prior.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ActuatorNumber {
-    /// Names of the entries of the axis that the parameter sets.
+    /// Names of the entries of the setting axis that the parameter sets.
     pub entries: &'static [&'static str],
     /// Whether the free parameter is the logarithm of the entry.
     pub is_log: bool,
@@ -78,16 +79,16 @@ const DEAD_TIME: (f64, f64) = (0.003, 0.004);
 /// Mean and standard deviation of the hysteresis of solenoid valves, as a fraction of their range: friction and
 /// magnetic remanence cause one to six percent.
 const HYSTERESIS: (f64, f64) = (0.02, 0.03);
-/// Mean and standard deviation of the position in the hysteresis band at which tests at constant settings hold the
-/// valve. Rigs mostly switch the setting on from zero, so most settings are reached from below (1) rather than from
-/// above (−1).
+/// Mean and standard deviation of the position in the hysteresis band at which the valve stands during tests at
+/// constant settings. The position is 1 if the setting was reached from below, and −1 if it was reached from above.
+/// Rigs mostly switch the setting on from zero, so positive positions are more probable.
 const REST: (f64, f64) = (0.6, 0.6);
-/// Name of the axis entry for the position in the hysteresis band.
+/// Name of the entry of the setting axis for the position in the hysteresis band.
 pub const REST_ENTRY: &str = "setting_hysteresis_rest";
-/// Name of the axis entry for the dead time.
+/// Name of the entry of the setting axis for the dead time.
 const DEAD_TIME_ENTRY: &str = "setting_dead_time";
-/// Positions in the hysteresis band that are compared. The best of them is the result, so its error is at most an
-/// eighth.
+/// Positions in the hysteresis band that are compared. The result is the best of them. The positions are a quarter
+/// apart, so the rounding error is at most an eighth.
 const PLACES: [f64; 9] = [-1.0, -0.75, -0.5, -0.25, 0.0, 0.25, 0.5, 0.75, 1.0];
 /// Standard deviation that fixes the position in the hysteresis band during a refit.
 const FIXED: f64 = 1e-3;
@@ -100,10 +101,10 @@ const LEVEL_SPREAD: f64 = 0.05;
 /// Largest standard deviation of the error of the force between neighbors of the grid of settings, as a fraction of the
 /// force. A larger estimate is reduced to this value, because a family with a larger error is unusable.
 const MOST_BETWEEN: f64 = 0.3;
-/// Bound of the force error midway between neighbors of the grid, in its standard deviations.
+/// Bound of the force error midway between neighbors of the grid, in prior standard deviations of this error.
 const WITHIN: f64 = 2.0;
-/// Standard deviation of the force errors in a refit with a fixed force of the family, as a fraction of the force. It
-/// is far below the resolution of any record.
+/// Standard deviation of the force errors, as a fraction of the force, in a refit with fixed forces of the family. It
+/// is far below the resolution of any record, so the force errors stay practically zero.
 const HELD_SPREAD: f64 = 1e-6;
 /// Largest hysteresis as a fraction of the range of settings. The kernel accepts a quarter.
 const MOST_HYSTERESIS: f64 = 0.24;
@@ -367,7 +368,8 @@ impl<'a> ActuatorProblem<'a> {
     pub fn refit_both(&self, start: &[f64], effort: (usize, f64)) -> Option<[ActuatorRefit; 2]> {
         let held = self.refit_with(Some(start), effort, [HELD_SPREAD; 2])?;
         let free = self.refit(Some(&held.theta), effort)?;
-        // The errors of the fixed forces are as unknown as those of the free ones, so their prior is the same.
+        // The errors of the fixed forces are as unknown as those of the free forces, so both refits have the same prior
+        // deviations.
         let mut held = ActuatorRefit { spreads: free.spreads.clone(), negative_log_prior_between: 0.0, ..held };
         held.theta.iter_mut().skip(self.numbers.len()).for_each(|error| *error = 0.0);
         let distance = |(x, number): (&f64, &ActuatorNumber)| 0.5 * ((x - number.prior.0) / number.prior.1).powi(2);
@@ -395,7 +397,7 @@ impl<'a> ActuatorProblem<'a> {
             let mut start = from.theta.clone();
             start[place] = rest;
             let mut refit = problem.refit(Some(&start), effort)?;
-            // The interval of the position is that of a free parameter.
+            // The position counts as a free parameter for its interval, although each refit fixes it.
             refit.numbers.clone_from(&self.numbers);
             let (mean, spread) = REST;
             let prior = 0.5 * ((rest - mean) / spread).powi(2);
@@ -486,8 +488,9 @@ impl ActuatorProblem<'_> {
     /// Computes derivatives of the weighted residuals of each test with respect to the instant of the command change
     /// within a sample, in samples. Returns `None` if the kernel rejects the parameters or a force is not finite.
     ///
-    /// A later command is a longer dead time. If the form has one, the derivatives are those of the dead time. Two
-    /// separate differences would deviate by a few percent, and the solution would attribute these to the lags.
+    /// A later command is equivalent to a longer dead time. If the form has a dead time, its derivatives are therefore
+    /// used. Two separate finite differences would deviate by a few percent, and the estimates of the lags would absorb
+    /// this deviation.
     pub fn timing_derivatives(&self, refit: &ActuatorRefit) -> Option<Vec<Vec<f64>>> {
         let sample_time = |block: usize| self.context.sample_times.get(block).copied().unwrap_or(0.0);
         if let Some(place) = self.numbers.iter().position(|number| number.entries == [DEAD_TIME_ENTRY]) {

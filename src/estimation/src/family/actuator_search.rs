@@ -95,7 +95,7 @@ const RULED_OUT: f64 = 14.0;
 /// error of an identified lag of the physical valve is then −21 % instead of −19 % (`prove_semi_active 1 3040001`).
 const TIED: f64 = 1.0;
 
-/// Number of fits after which the search is usually half done. It only scales the displayed progress, because the
+/// Number of fits after which the search is usually half done. It only scales the displayed progress, because the total
 /// number of fits is unknown in advance.
 const USUAL_FITS: usize = 8;
 
@@ -221,8 +221,8 @@ impl Search<'_> {
         self.most_probable(found)
     }
 
-    /// Refits a form with free force errors, and with the forces of the family fixed. From a distant start, the fixed
-    /// forces come first.
+    /// Refits a form twice: with the forces of the family fixed, then with free force errors. If the start is not far,
+    /// also refits directly with free force errors. Returns all refits.
     fn refits(
         &self,
         problem: &ActuatorProblem,
@@ -241,7 +241,8 @@ impl Search<'_> {
         trials.reduce(|best, next| if whole(&next) > whole(&best) { next } else { best })
     }
 
-    /// Returns the starts of a refit: several time constants if the form adds a lag to the other one.
+    /// Returns the starts of a refit of `form` from the form `from`. If `from` has no lag and `form` has one, there is
+    /// a start for each of several time constants.
     fn starts(&self, form: ActuatorForm, from: Option<&ActuatorRefit>, adds_lag: bool) -> Vec<Option<Vec<f64>>> {
         let (low, high) = self.context.definition.axis.range();
         let Some(from) = from else { return vec![None] };
@@ -328,7 +329,8 @@ impl Search<'_> {
     }
 }
 
-/// Returns the log odds of every part: those of the form `best` with and without it. `most` is its log posterior.
+/// Returns the log odds of every part: the log posterior with the part minus that without it. The other parts are those
+/// of the form `best`, whose log posterior is `most`.
 fn part_odds(trials: &Trials, best: ActuatorForm, most: f64) -> Vec<ActuatorPart> {
     let odds = |part: &&'static str| {
         let is_present = has(best, part);

@@ -1,10 +1,10 @@
 //! The search for the most probable family.
 //!
 //! Each setting is first searched as an ordinary damper. Each structure from these searches gives a start in which
-//! every parameter varies with the setting if possible. Parameters that do not depend on the setting are then shared.
-//! Moves follow from each start. A move makes one parameter vary or shared, removes an effect, or adds an effect from
-//! the search of a setting. Moves end when the log posterior no longer rises. The result is the most probable family at
-//! the end of the moves.
+//! every parameter varies with the setting if possible. Parameters that do not depend on the setting are then shared by
+//! all settings. From each start, the search makes moves. A move makes one quantity vary with the setting or shared,
+//! removes an effect, or adds an effect from the search of a setting. The moves from a start end when the log posterior
+//! no longer rises. The result is the most probable family over all starts.
 
 use super::alternatives::{Rival, distinct_rivals};
 use super::pattern::{Site, sites};
@@ -148,8 +148,8 @@ fn climb(
     (best, rivals)
 }
 
-/// Shares, in one step, all parameters for which the prediction shows a higher log posterior if they are shared. The FV
-/// curve stays separate at each setting.
+/// Shares, in one step, all quantities whose separate values are unnecessary. A quantity is shared if the predicted log
+/// posterior does not fall. The FV curve stays separate at each setting.
 fn share(start: FamilyStructure, settings: &[SettingTests]) -> FamilyStructure {
     let varying = start.varying();
     let linear = Linearization::new(&start, settings);

@@ -18,14 +18,14 @@ use dashpot_records::restrict;
 use rayon::prelude::*;
 
 /// Smallest ratio of the speed of a point that a search added at a knee to the speed of any other point. The search of
-/// one setting adds points at least a factor of 1.13 from their neighbors. Points of two settings closer than about
-/// half of that factor show the same knee. The curve would have too few samples between them.
+/// one setting adds points at least a factor of 1.13 from their neighbors. If the points of two settings are closer
+/// than about half of that factor, they show the same knee. The curve would then have too few samples between them.
 const APART: f64 = 1.06;
 
 /// Returns the velocities of the FV table that all settings share, m/s.
 ///
-/// They are those of the tests of all settings, and the points that the search of any setting added at its knees. With
-/// the velocities of the tests alone, a knee that moves with the setting is rounded off.
+/// The velocities are those for the tests of all settings, and those of the points that the search of any setting added
+/// at its knees. With the former alone, a knee that moves with the setting would be rounded off.
 pub fn velocities(settings: &[SettingTests], at_settings: &[&Structure]) -> Vec<f64> {
     let segments = |of: &SettingTests| of.tests.iter().map(|t| t.segment.clone()).collect::<Vec<Segment>>();
     let mut all = first_guess::velocities(&settings.iter().flat_map(segments).collect::<Vec<Segment>>());

@@ -34,8 +34,8 @@ impl SecondOrder {
                 (sin, cos) = libm::sincos(turns * h);
             }
             let slope = (*force - last) / h;
-            // These are the deviations of the output and of its rate from the steady response to the current ramp of
-            // the force.
+            // `off` and `off_rate` are the deviations of the output and of its rate from the steady response to the
+            // current ramp of the force.
             let (off, off_rate) = (y - (last - late * slope), rate - slope);
             let after = stays * (off * cos + (off_rate + falls * off) / turns * sin);
             let after_rate = stays * (off_rate * cos - (falls * off_rate + omega * omega * off) / turns * sin);

@@ -66,8 +66,8 @@ fn across_a_jump(record: &Record, t: f64) -> bool {
 /// Returns the phases, 0 to 1, at which the mean of a cycle is computed: those of at most `count` samples of the middle
 /// cycle.
 ///
-/// If the other cycles have samples at equal phases, interpolation is unnecessary. Interpolation across a friction
-/// reversal would give an arbitrary force between the forces before and after the reversal.
+/// If the other cycles have samples at equal phases, their forces need no interpolation. Interpolation across a
+/// friction reversal would give an arbitrary force between the forces before and after the reversal.
 fn phases(time: &[f64], cycles: &[Range<usize>], bounds: &[(f64, f64)], count: usize) -> Vec<f64> {
     let middle = cycles.len() / 2;
     let (range, (a, b)) = (&cycles[middle], bounds[middle]);

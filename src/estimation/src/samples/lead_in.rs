@@ -9,14 +9,15 @@ use crate::sensitivity::forces;
 use dashpot_core::{Model, Params};
 use rayon::prelude::*;
 
-/// Shortest duration of the lead-in, s. [`CYCLES`] is its shortest and longest length in cycles.
+/// Shortest duration of the lead-in, s. [`CYCLES`] contains the smallest and the largest length of the lead-in, in
+/// cycles.
 ///
 /// An internal state that is slower than the lead-in starts in equilibrium at the middle of the stroke, as on a rig.
 const TIME: f64 = 0.15;
 const CYCLES: (f64, f64) = (1.5, 3.5);
 /// Fraction of a cycle, directly before the scored samples, in which the lead-in uses every sample.
 ///
-/// Before that, it uses one of [`COARSER`] samples, because the resulting error decays.
+/// Before that fraction, the lead-in uses only every fourth sample ([`COARSER`]), because the resulting error decays.
 const FINE: f64 = 0.25;
 const COARSER: usize = 4;
 /// Largest number of cycles by which the lead-in is extended.
@@ -79,7 +80,7 @@ fn further_cycles(test: &Test, model: &Model) -> usize {
         return 0;
     }
     let usual = initial_length(1.0 / test.frequency, count);
-    // Compare the cycle that would be scored with later cycles, at equal phases.
+    // Compare the cycle that would be scored with later cycles at equal phases.
     let from = usual % count;
     let places: Vec<usize> =
         (0..usual + (MORE + 2) * count).filter(|k| ((k + count - from) % count).is_multiple_of(COARSER)).collect();

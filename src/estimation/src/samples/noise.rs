@@ -1,5 +1,5 @@
-//! Noise of the samples that are compared with the model. It comes from the differences of cycles, for any noise
-//! spectrum, or from the estimate in the record.
+//! Noise of the samples that are compared with the model. With enough cycles, the noise follows from their differences,
+//! for any noise spectrum. Otherwise, it is the estimate in the record.
 
 use dashpot_records::restrict;
 
@@ -43,7 +43,8 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
     if variance <= 0.0 {
         return None;
     }
-    // After Geyer's initial positive sequence (Stat. Sci. 7, 1992), truncated at a quarter of a cycle.
+    // The sum of autocorrelations is truncated after Geyer's initial positive sequence (Stat. Sci. 7, 1992), at the
+    // latest at a quarter of a cycle.
     let mut stands_for = 1.0;
     for lag in 1..count / 4 {
         let correlation = product(lag) / variance;
@@ -62,7 +63,7 @@ pub fn repeat(bounds: &[(f64, f64)], mean: &[(f64, f64)], force: impl Fn(f64) ->
 }
 
 /// Computes the growth of the force from cycle to cycle in standard deviations, from each cycle's gain relative to the
-/// mean cycle. One independent sample stands for `stands_for` samples.
+/// mean cycle. `stands_for` is the number of samples that contain the information of one independent sample.
 fn growth(deviations: &[Vec<f64>], mean: &[(f64, f64)], stands_for: f64) -> f64 {
     let middle = mean.iter().map(|m| m.1).sum::<f64>() / mean.len() as f64;
     let shape: Vec<f64> = mean.iter().map(|m| m.1 - middle).collect();

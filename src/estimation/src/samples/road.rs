@@ -42,9 +42,8 @@ pub enum Extent {
 }
 
 impl Extent {
-    /// Target for the total number of stretches of all tests of a campaign.
-    ///
-    /// Thus, a single road is simulated whole, and each of many roads is simulated in a few stretches.
+    /// Target for the total number of stretches of all tests of a campaign. A single road is simulated whole, and each
+    /// of many roads is simulated in a few stretches.
     const ENOUGH: usize = 60;
     /// Smallest number of stretches of a road.
     const FEWEST: usize = 4;
@@ -138,7 +137,8 @@ impl Road<'_> {
     }
 }
 
-/// Chooses the stretches that cover the most cells, in their order. A cell counts more if fewer stretches contain it.
+/// Chooses the stretches that cover the most cells, and returns their indices in increasing order. A cell counts more
+/// if fewer stretches contain it.
 fn choose(cells: &[BTreeSet<Cell>], most: usize) -> Vec<usize> {
     let mut visits: BTreeMap<Cell, f64> = BTreeMap::new();
     for cell in cells.iter().flatten() {

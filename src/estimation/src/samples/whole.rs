@@ -9,8 +9,8 @@ use rayon::prelude::*;
 /// Expected model error as a fraction of a test's largest force; it limits the weight of tests with little noise. With
 /// a smaller value, noise dominates the fastest tests. With a larger value, noise dominates the slow tests.
 const MODEL_FLOOR: f64 = 0.01;
-/// Largest number of samples with which one test counts. A road has any number of samples, so its errors are divided by
-/// a larger scale to count as one test.
+/// Largest number of samples with which one test counts in a fit. If a test has more samples, such as a road, its
+/// errors are divided by a larger scale.
 const PER_TEST: f64 = 400.0;
 
 /// Makes the segments of all records, in their order.

@@ -37,10 +37,10 @@ fn log_weight(structure: &Structure, at: Temperatures) -> f64 {
 /// Returns the probable structures that differ from `best` by one added, removed or exchanged effect. They are
 /// refitted, and the most probable structure is first.
 ///
-/// If an alternative and `best` were the only candidates, the alternative would have a probability of at least 5 %. A
-/// 95 % interval must then include it. `best` is the most probable structure of the search, or that structure without
-/// some effects. In the second case, the most probable structure may be an alternative. At most `MOST` alternatives are
-/// returned.
+/// An alternative has a probability of at least 5 %, computed as if this alternative and `best` were the only
+/// candidates. A 95 % interval must include such an alternative. `best` is the most probable structure of the search,
+/// or that structure without some effects. In the second case, the most probable structure may be an alternative. At
+/// most `MOST` alternatives are returned.
 pub fn alternatives(search: &StructureSearch, best: &Structure, at: Temperatures, tests: &[Test]) -> Vec<Alternative> {
     // Refit `best` with the effort used for the alternatives: a more accurate integration changes the log posterior by
     // several units.
@@ -115,9 +115,9 @@ impl Part {
     }
 }
 
-/// Computes the ends of a parameter's 95 % interval over several structures. The interval contains the interval of the
-/// first structure, so alternatives never make it narrower. If an end is infinite, the outermost ends are returned.
-/// Returns `None` if `parts` is empty.
+/// Computes the ends of a parameter's 95 % interval over several structures. The result contains the interval of the
+/// first structure, so alternatives never make it narrower. If an end of any structure is infinite, the result extends
+/// from the lowest to the highest end. Returns `None` if `parts` is empty.
 pub fn mixed_interval(parts: &[Part]) -> Option<[f64; 2]> {
     let first = parts.first()?;
     let outermost = parts.iter().fold(first.ends, |[low, high], p| [low.min(p.ends[0]), high.max(p.ends[1])]);

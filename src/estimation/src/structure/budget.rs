@@ -3,8 +3,8 @@
 /// Numbers of refits that an expansion may spend.
 #[derive(Debug, Clone, Copy)]
 pub struct Budget {
-    /// Number of starts that are refitted for each form: first starts with unchanged base parameters (those without the
-    /// effect), then starts that change them.
+    /// Numbers of starts that are refitted for each form: starts with unchanged base parameters, then starts that
+    /// change base parameters. Base parameters are those of the model without the effect.
     pub starts: [usize; 2],
     /// Number of starts that are refitted in total. The best start of every effect is refitted even beyond this number.
     pub entrants: usize,

@@ -102,8 +102,8 @@ impl Structure {
         Structure::fit(hypothesis, components, tests, effort)
     }
 
-    /// Returns the structure without the effect with the index `place`, refitted. After a few steps, the refit
-    /// continues only if the log posterior has decreased by at most `reach`. Returns `None` if the model gives no
+    /// Returns the structure without the effect with the index `place`, refitted. The refit ends after a few steps if
+    /// the log posterior is then more than `reach` below that of this structure. Returns `None` if the model gives no
     /// finite force.
     pub fn without_within(&self, place: usize, tests: &[Test], reach: f64) -> Option<Structure> {
         let first = self.without(place, tests, Effort::SCREEN)?;

@@ -81,8 +81,8 @@ fn worth_their_while(from: &Hypothesis, at: &Refit, tests: &[Test]) -> Option<(V
     let here = Refit { jacobian: from.jacobian(Accuracy::Derivatives, tests, &at.theta)?, ..at.clone() };
     let projection = Projection::new(from, &here);
     let mut left = projection.rest(&at.residual);
-    // If a new point is above the line between its neighbors, the force increment before it is larger and the one after
-    // it is smaller.
+    // A new point above the line between its neighbors increases the force increment before it and decreases the one
+    // after it.
     let mut bumps: Vec<(f64, DVector<f64>)> = middles
         .iter()
         .filter_map(|middle| {

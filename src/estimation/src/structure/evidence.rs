@@ -3,11 +3,11 @@
 //! No model has exactly the form of the damper, so every structure has a form error in every test. The size of this
 //! error differs from test to test by orders of magnitude, but is similar in all samples of one test. The root mean
 //! square of a test's form error therefore counts as [`OBSERVATIONS`] observations. The form errors are exponentially
-//! distributed with a scale that all tests share and that is estimated with the structure. The likelihood is this scale
-//! to the power of minus the number of observations. With a sum of squares, the worst test alone would determine the
-//! result. With a sum of logarithms, one test could have any error. A residual below the noise has no further effect,
-//! and [`FORM`] limits the gain close to the noise. Each free parameter costs half the logarithm of the number of tests
-//! (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its negative log prior.
+//! distributed. Their scale is common to all tests and is estimated with the structure. The likelihood is this scale to
+//! the power of minus the number of observations. A sum of squares over the tests would let the worst test alone
+//! determine the result. A sum of logarithms over the tests would tolerate any error in one test. A residual below the
+//! noise has no further effect, and [`FORM`] limits the gain close to the noise. Each free parameter costs half the
+//! logarithm of the number of tests (Schwarz, Ann. Stat. 6, 1978), and a rare value costs its negative log prior.
 
 use super::component::weight;
 use crate::hypothesis::{Free, Hypothesis, Number};
@@ -24,7 +24,7 @@ use nalgebra::DVector;
 const FORM: f64 = 0.3;
 /// Number of observations of the form error in a test. A mean cycle shows more than one feature, but its features are
 /// correlated with those of neighboring tests. With a larger value, reports contain effects that explain only a small
-/// fraction. With a smaller value, effects that act in few tests are lost.
+/// fraction of the error. With a smaller value, effects that act in few tests are lost.
 const OBSERVATIONS: f64 = 1.5;
 
 /// Residual statistics of a structure.
@@ -145,7 +145,8 @@ pub fn log_sum_exp(logs: &[f64]) -> f64 {
     most + libm::log(logs.iter().map(|l| libm::exp(l - most)).sum::<f64>())
 }
 
-/// Computes the χ² that noise adds to a test: the sum of squared ratios of the noise to the allowed errors.
+/// Computes the χ² that noise adds to a test: the sum of squared ratios of the noise to the allowed errors, over the
+/// scored samples.
 fn noise_of(test: &Test) -> f64 {
     test.allowed.iter().map(|a| (test.mean_noise / a).powi(2)).sum()
 }

@@ -33,8 +33,8 @@ pub struct Trial {
 pub struct Expansion {
     /// Refitted structures, most probable first.
     pub trials: Vec<Trial>,
-    /// Effects and their visibility. It is the squared norm, in squared allowed errors, of the part of an effect's
-    /// response that other parameters cannot reproduce.
+    /// Effects and their visibility: the squared norm of the part of an effect's response that other parameters cannot
+    /// reproduce. The response is in units of the allowed errors.
     pub visible: Vec<(&'static str, f64)>,
 }
 
@@ -72,8 +72,8 @@ pub fn expand(
             let residual_at = |theta: &[f64]| nearby.residual(&s.hypothesis, tests, theta);
             let (mut start, mut residual) = (s.start.clone(), residual_at(&s.start)?);
             if !s.moved && residual.norm_squared() > at.residual.norm_squared() {
-                // The first-order step of the base parameters may be too large. The start without this step may then be
-                // better.
+                // The first-order step of the base parameters may be too large. Then, the start without this step may
+                // have a smaller residual.
                 let still = s.hypothesis.start();
                 let there = residual_at(&still)?;
                 if there.norm_squared() < residual.norm_squared() {

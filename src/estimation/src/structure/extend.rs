@@ -59,9 +59,9 @@ fn place(params: &mut Params, unknown: &Unknown, value: f64) {
     }
 }
 
-/// Ratio of the prior standard deviation of a parameter's change from a reference damper to that of the parameter
-/// itself. The latter counts at most as two typical steps of the parameter in a search. [`CURVE`] is the prior standard
-/// deviation of the relative change of a part of the FV curve.
+/// Ratio of two prior standard deviations: that of a parameter's change from a reference damper, and that of the
+/// parameter itself. The deviation of the parameter itself counts at most as two typical steps of a search. [`CURVE`]
+/// is the prior standard deviation of the relative change of a part of the FV curve.
 const CHANGED: f64 = 2.0;
 const CURVE: f64 = 0.4;
 
@@ -162,8 +162,8 @@ fn level(to: &mut Hypothesis, force: f64) {
     }
 }
 
-/// Raises the slope of the FV curve on the stroke `drawn.stroke`, beyond the force `drawn.from`, N. The raised slope is
-/// at least `drawn.steepness` times the slope below that force.
+/// Raises the slope of the FV curve on the stroke `drawn.stroke` where the force exceeds `drawn.from`, N. The slope
+/// there becomes at least `drawn.steepness` times the slope below that force.
 fn unbend(to: &mut Hypothesis, drawn: &LinearExtension) {
     let velocity = to.base.list(list!("fv_velocity")).to_vec();
     let zero = anchor(&velocity);

@@ -13,15 +13,13 @@ use rayon::prelude::*;
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
 
-/// Largest deficit of log posterior at which a form is fully refitted, relative to the most probable form after the
-/// second stage.
-///
-/// A full refit rarely gains more.
+/// Largest deficit of log posterior, relative to the most probable form after the second stage, at which a form is
+/// fully refitted. A full refit rarely raises the log posterior by more.
 const REACH: f64 = 8.0;
 
 /// Rise of the log likelihood above which an effect counts as explaining a part of the records. Such effects come first
-/// in every stage, and only they are fully refitted. Every parameter costs at least 1, so a smaller rise cannot justify
-/// a parameter.
+/// in every stage, and only they are fully refitted. Every parameter costs at least 1, so an effect with a smaller rise
+/// does not pay for its parameters.
 ///
 /// Without this threshold, effects near zero strength would use up the budget, because their prior cost is small.
 const BEGUN: f64 = 0.5;

@@ -88,8 +88,9 @@ fn force_of(structure: &Structure, component: &Component, tests: &[Test], whole:
 /// Smallest correlation of the forces of two effects at which one effect counts as the replacement of the other.
 const REPLACES: f64 = 0.5;
 
-/// Makes the inventory of `best` compared with a given model. Without a given model, every effect counts as added. The
-/// inventory is empty if `best` gives no finite force. `probability` returns the probability of an effect.
+/// Makes the inventory of `best`, which states for each effect its change from a given model. Without a given model,
+/// every effect counts as added. The inventory is empty if `best` gives no finite force. `probability` returns the
+/// probability of an effect.
 pub fn inventory(
     best: &Structure,
     given: Option<&Structure>,

@@ -15,7 +15,7 @@ use nalgebra::DMatrix;
 
 /// Refitted hypothesis at which an iteration begins, with the error of its low-accuracy integration.
 pub struct Nearby<'a> {
-    /// Weighted residuals of the refit minus those with the low-accuracy integration, at the refitted parameters.
+    /// Weighted residuals of the refit minus the residuals by the low-accuracy integration at the refitted parameters.
     off: Residual,
     /// Accuracy of the low-accuracy integration.
     accuracy: Accuracy,

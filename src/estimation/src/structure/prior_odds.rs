@@ -11,14 +11,13 @@ const EVEN: f64 = 0.0;
 /// Log odds of an effect that one damper in twenty has, as a fault or by design.
 const RARE: f64 = -3.0;
 /// Parameters of the beta distribution of the rate of measurement faults, which differs from rig to rig. The log odds
-/// of the first fault are thus −3.5, because rigs are checked more often than dampers. If a rig has one fault, another
-/// fault is more probable.
+/// of the first fault are thus −3.5, lower than those of a fault of the damper, because rigs are checked more often. If
+/// a rig has one fault, another fault is more probable.
 const FAULTS: [f64; 2] = [0.3, 10.0];
 
 /// Effects that are more frequent than [`RARE`], with their log odds. Every damper has friction, gas and a soft series
-/// path. Monotubes have gas columns and springs. Effects outside this table are faults or rare designs. The oil of
-/// every damper is compressible. In every second damper, the series path cannot represent the compressibility of the
-/// oil.
+/// path. Monotubes have gas columns and springs. The oil of every damper is compressible, but in every second damper,
+/// the series path represents this compressibility. Effects outside this table are faults or rare designs.
 const FREQUENT: [(&str, f64); 11] = [
     ("series_compliance", COMMON),
     ("gas_preload", COMMON),
@@ -94,7 +93,7 @@ pub fn is_rare(effect: &str, form: &str, priors: &PriorSet) -> bool {
     form != "changed" && log_prior_odds(effect, form, priors) + gain_of_knowledge(effect, form, priors) <= RARE
 }
 
-/// Groups of effects of which a damper has one. A second effect of a group is as rare as a fault.
+/// Groups of effects of which a damper usually has one. A second effect of a group is as rare as a fault.
 const ALTERNATIVES: [&[&str]; 2] =
     [&["coulomb_friction", "presliding_friction", "stribeck_friction"], &["parallel_spring", "gas_spring"]];
 

@@ -51,23 +51,25 @@ pub struct StructureSearch {
 
 /// Smallest rise of the log posterior at which the search makes a move.
 const RISE: f64 = 0.5;
-/// Smallest rise of the log posterior at which an effect is exchanged. The structure does not grow, so any rise beyond
-/// rounding counts.
+/// Smallest rise of the log posterior at which an effect is exchanged for another. An exchange does not enlarge the
+/// structure, so a much smaller rise than [`RISE`] suffices.
 const EXCHANGED: f64 = 0.05;
-/// Largest difference between the best log posterior of an expansion and that of a form at which the form is tried
-/// again later. The later trial follows the addition of other effects. The best form of each effect is always tried
-/// again.
+/// Largest deficit of log posterior, relative to the best form of an expansion, at which a form is tried again after
+/// other effects were added. The best form of each effect is always tried again.
 ///
-/// A removal is refitted to convergence if its log posterior is within this difference below the best structure.
+/// The limit also applies to the refit without an effect. If its deficit, relative to the structure with the effect, is
+/// larger, the refit ends before convergence.
 const PROMISING: f64 = 25.0;
 /// Largest number of forms of an effect that are tried again.
 const FORMS: usize = 2;
-/// Largest decrease of the log posterior by a removal at which every promising effect is tried as a replacement. If the
-/// decrease is larger, only competing effects and the other forms of the effect are tried. An effect with a named form,
-/// or the only effect of a structure, always has every promising replacement.
+/// Largest decrease of the log posterior, due to the removal of an effect, at which every promising effect is tried as
+/// a replacement. If the decrease is larger, only competing effects and other forms of the removed effect are tried.
+/// This limit does not apply to an effect with a named form, and to the only effect of a structure. They are always
+/// compared with every promising replacement.
 const CONTESTED: f64 = 12.0;
 /// Largest deficit of log posterior, relative to the best structure, at which a structure with an added effect is
-/// refined. More points on the FV curve and a removal typically gain this much.
+/// refined. More points on the FV curve and the removal of another effect typically raise the log posterior by this
+/// much.
 ///
 /// For a replaced effect, the limit is [`SWAPPED`].
 const ADDED: f64 = 3.0;
@@ -79,14 +81,16 @@ const CHANGED: &str = "changed";
 ///
 /// Above this value, the form error of the model is larger than the noise.
 pub const QUIET: f64 = 1.5;
-/// Number of effects after whose addition a second effect is tried, if no single effect raises the log posterior.
+/// Number of first effects of a pair that are tried if no single effect raises the log posterior. To each of them, a
+/// second effect is added.
 ///
-/// The first of two missing effects leaves the residual of the other, so its log posterior alone may fall. With 1, the
-/// second best first effect is never tried. Each costs an expansion. Test: `two_changes_are_found_in_three_tests`.
+/// If two effects are missing, the first one alone leaves the residual of the other, so its log posterior may fall.
+/// With 1, only the most probable first effect would be tried. Each first effect costs an expansion. Test:
+/// `two_changes_are_found_in_three_tests`.
 const FIRSTS: usize = 2;
-/// Largest number of iterations of add, remove and replace, as a safeguard. For four measurement faults, a friction and
-/// a spring, a search from the records alone requires up to a dozen iterations. It normally ends earlier, when no move
-/// raises the log posterior.
+/// Largest number of iterations of add, remove and replace, as a safeguard. A search normally ends earlier, when no
+/// move raises the log posterior. For four measurement faults, friction and a spring, a search from the records alone
+/// requires up to a dozen iterations.
 const ROUNDS: usize = 24;
 
 impl StructureSearch {
@@ -231,8 +235,8 @@ impl StructureSearch {
     /// Replaces nested changes of the FV curve, such as both sides and rebound, by changes without overlap: rebound and
     /// compression.
     ///
-    /// Both sets describe the same curves. With nested changes, neither number is the change of a part, and the table
-    /// would count one model twice.
+    /// Both sets describe the same curves. In the nested set, neither number is the total change of its part of the
+    /// curve, and the table of structures would count one model twice.
     fn split_nested(&mut self, context: &SearchContext) {
         let nested = |forms: &[Form]| -> Option<(&'static str, &'static str)> {
             let changed = || forms.iter().filter(|(_, form)| *form == CHANGED).map(|(effect, _)| *effect);

@@ -18,15 +18,16 @@ use dashpot_records::restrict;
 const QUIET: f64 = 0.1;
 /// Trial factors on the series stiffness.
 const TIMES: [f64; 2] = [6.0, 1.0 / 6.0];
-/// Deflection of a restarted series element under the largest force, as a fraction of the largest amplitude. The
-/// restart uses it for implausible elements.
+/// Deflection of a stiff series element under the largest force, as a fraction of the largest amplitude. An implausible
+/// element is restarted with this deflection.
 const STRAIGHT: f64 = 0.02;
 /// Damping ratio of the internal mass on a restarted series element.
 const RATIO: f64 = 0.2;
-/// Largest increase of the cost, relative to the best cost, a few steps after a restart. It is a fraction of the excess
-/// of χ² over that of noise. With a larger increase, the restart is abandoned.
+/// Largest excess of the cost over the best cost, after the first steps of a restart, at which the restart is
+/// continued. It is a fraction of the excess of χ² over that of noise.
 ///
-/// The final cost must be below the best cost by the fraction [`BETTER`] of the excess.
+/// A restart replaces the best refit if its final cost is below the best cost by at least the fraction [`BETTER`] of
+/// the same excess.
 const NEAR: f64 = 0.5;
 const BETTER: f64 = 0.02;
 

@@ -20,7 +20,7 @@ pub fn without_doubtful(
     let mut less = best;
     let before = less.components.len();
     while let Some(place) = less.components.iter().position(|c| !is_own(c.effect) && !is_certain(c.effect)) {
-        // A structure without finite force cannot be proposed, so its effect stays.
+        // A structure without finite forces cannot be proposed, so the doubtful effect stays.
         let Some(without) = less.without(place, context.tests, Effort::FINE) else { break };
         less = without;
     }
@@ -72,7 +72,7 @@ mod tests {
         base.set(number!("coulomb_force"), 60.0).unwrap();
         let of = Hypothesis { base, numbers: base_numbers(&base), heating: None, priors: PriorSet::default() };
         let tests = measured(&of, &[(0.001, 20.0), (0.01, 0.02), (0.02, 2.0), (0.03, 4.0)]);
-        // The times are enough for the heat input; the tests have the samples.
+        // The heat input needs only the times of the record. The samples are in the tests.
         let record = Record { time: vec![0.0, 1.0], velocity: vec![0.0; 2], force: vec![0.0; 2], ..Record::default() };
         let context = SearchContext {
             records: &[&record],

@@ -9,14 +9,14 @@ use dashpot_core::parameter::{Element, Number, Row, Shape, table};
 use dashpot_core::{element, list, number};
 
 /// Largest ratio of the internal mass to its value in the given model: two standard deviations of its distribution over
-/// dampers. The mass of a rod does not increase. If records require a larger mass, they contradict the model, and the
-/// mass becomes a separate effect. Without this bound, the parameter would absorb any mass of the rig. With a bound
-/// from the rods of one laboratory, every heavier rod would count as a mass of the rig. There is no lower bound,
-/// because a lighter rod cannot absorb an effect.
+/// dampers. If records require a larger mass, they contradict the model, and the mass becomes a separate effect.
+/// Without this bound, the parameter would absorb any mass of the rig. If the bound came from the rods of one
+/// laboratory, every heavier rod would count as a mass of the rig. There is no lower bound, because a lighter rod
+/// cannot absorb an effect.
 const NEAR: f64 = 1.8 * 1.8;
-/// Smallest internal mass of a car damper, kg, as a bound and as a start. Its inertia force is half a newton at 16.7 Hz
-/// and 10 mm, below the noise of a rig. With 0.05 kg, the mass of a massless damper stayed at the bound, and its series
-/// spring was 7 % too soft.
+/// Smallest internal mass of a car damper, kg, as a bound and as a start. The inertia force of this mass is half a
+/// newton at 16.7 Hz and 10 mm, below the noise of a rig. With a bound of 0.05 kg, the mass of a massless damper stayed
+/// at the bound, and its series spring was 7 % too soft.
 const LEAST: f64 = 0.005;
 
 fn internal_mass(base: &Params) -> FreeNumber {

@@ -30,8 +30,8 @@ use dashpot_core::parameter::{Element, Number};
 pub struct Fresh {
     /// The parameter.
     pub free: Free,
-    /// Range of values that are plausible for a damper or a rig. The report mentions a result outside the range. With a
-    /// lower end of 0, all small values are plausible.
+    /// Range of values that are plausible for a damper or a rig. The report mentions a result outside the range. If the
+    /// lower end is 0, no value is too small.
     pub plausible: (f64, f64),
     /// Prior standard deviation of the logarithm of a cooling rate or heat capacity; the mean is the logarithm of the
     /// start value. For a parameter of the model, the deviation has no effect, because [`crate::priors`] contains its
@@ -44,17 +44,18 @@ pub struct Fresh {
 pub struct Start {
     /// Values of the new parameters in physical units, in the order of the parameters.
     pub values: Vec<f64>,
-    /// Factors on parameters of the model without the effect, because the fitted model has absorbed the effect.
+    /// Factors on parameters of the base model. They are needed because the fitted base model has absorbed a part of
+    /// the effect.
     pub moves: Vec<(Number, f64)>,
-    /// Linear extension of one stroke of the FV curve, because the fitted curve has absorbed a force cap.
+    /// Linear extension of one stroke of the FV curve. It is needed because the fitted curve has absorbed a force cap.
     pub unbend: Option<LinearExtension>,
-    /// Side (+1 rebound, −1 compression) on which a lookup spring is extended linearly, because its end has absorbed a
-    /// stop.
+    /// Side (+1 rebound, −1 compression) on which a lookup spring is extended linearly. The extension is needed because
+    /// the end of the fitted spring has absorbed a stop.
     pub straighten: Option<f64>,
     /// Start forces of the points of the FV curve, N. If empty, the points start from their current forces.
     pub curve: Vec<f64>,
-    /// Force, N, by which the step of the FV curve at zero velocity is reduced, because the effect includes this
-    /// friction.
+    /// Force, N, by which the step of the FV curve at zero velocity is reduced. The reduction is needed because the
+    /// curve already contains a part of the friction that the effect adds.
     pub level: f64,
 }
 

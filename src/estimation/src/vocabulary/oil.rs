@@ -6,7 +6,7 @@ use crate::situation::Situation;
 use dashpot_core::parameter::Number;
 use dashpot_core::{element, number};
 
-/// Start value of the reciprocal length of an oil column, 1/m.
+/// Start value of the reciprocal length of an oil column, 1/m, for a column of 17 cm.
 const COLUMN: f64 = 6.0;
 /// Constant C, °C, of Vogel's law for damper oils: the logarithm of the viscosity is linear in 1/(T + C) at temperature
 /// T, °C.
@@ -95,6 +95,7 @@ fn aeration(all: &mut Vec<Candidate>) {
             .map(|[stroke, force]| Start::at(&[stroke, force, 1.0]))
             .into_iter()
             // The series stiffness of the base absorbs the effect of air almost completely, even if there is much air.
+            // Therefore, some starts increase this stiffness.
             .chain([(2e-4, 1.4), (1e-3, 4.0)].map(|(stroke, stiffer)| {
                 Start::moving(&[stroke, 200.0, 1.0], &[(number!("series_stiffness"), stiffer)])
             }))
@@ -160,8 +161,9 @@ fn void_with_gas(s: &Situation, all: &mut Vec<Candidate>) {
     });
 }
 
-/// Returns the fixed parameters of oil that is thinner than at the temperature `reference`, °C. `source` states whether
-/// the temperature is measured (0) or computed from the dissipated work (1).
+/// Returns the parameters that the candidates for temperature fade set to fixed values. `source` states whether the
+/// temperature is measured (0) or computed from the dissipated work (1). `reference` is the temperature, °C, above
+/// which the oil is thinner.
 fn fade(source: f64, reference: f64) -> Vec<(Number, f64)> {
     vec![
         (number!("fade_source"), source),
@@ -243,8 +245,8 @@ fn fade_by_own_work() -> Candidate {
     }
 }
 
-/// Start values of the fraction of the flow that does not refill a chamber. [`BEYOND`] contains those of the speed at
-/// which this begins, as fractions of the highest speed.
+/// Start values of the fraction of the flow that does not refill a chamber. [`BEYOND`] contains start values of the
+/// speed above which the chamber is not refilled, as fractions of the highest speed.
 const UNFILLED: [f64; 3] = [0.03, 0.1, 0.3];
 const BEYOND: [f64; 3] = [0.2, 0.5, 0.8];
 

@@ -14,8 +14,8 @@ pub(super) fn rig(s: &Situation, all: &mut Vec<Candidate>) {
     for (place, form) in [(0.0, "at the load cell"), (1.0, "inside, like oil in a long passage")] {
         all.push(Candidate {
             form,
-            // The lag of the inertia force is as short as possible. At 25 Hz, a tenth of a millisecond causes an error
-            // of 1.6 %.
+            // The lag of the inertia force is fixed at a tenth of a millisecond. At 25 Hz, this lag causes an error of
+            // 1.6 %.
             fixed: vec![(number!("moving_mass_place"), place), (number!("moving_mass_time"), 1e-4)],
             ..candidate(
                 &[element!("moving_mass")],

@@ -31,8 +31,9 @@ pub(super) fn series(s: &Situation, all: &mut Vec<Candidate>) {
 
 /// Adds the candidates for a series spring.
 fn series_compliance(s: &Situation, all: &mut Vec<Candidate>) {
-    // Friction without presliding behind a soft spring acts like presliding friction. In one slow test, the estimate
-    // was a mount of 0.25 N/µm that did not exist. Therefore, the form [`CARRIES_WHOLE`] requires presliding friction.
+    // Friction without presliding that acts behind a soft spring resembles presliding friction. In one slow test, the
+    // estimate was a mount of 0.25 N/µm that did not exist. Therefore, the form [`CARRIES_WHOLE`] requires presliding
+    // friction.
     let whole = s.base.is_on(element!("presliding_friction")).then_some((CARRIES_WHOLE, 1.0));
     for (form, load) in [Some(("", 0.0)), whole].into_iter().flatten() {
         all.push(Candidate {

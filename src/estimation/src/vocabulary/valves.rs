@@ -83,7 +83,8 @@ fn valve_hysteresis(s: &Situation, all: &mut Vec<Candidate>) {
     moving_valves(knee, all);
     all.push(Candidate {
         form: "opens and closes at different forces",
-        // With a time of 0.5 ms, the valve is so fast that only the forces determine its state, even in slow motion.
+        // With a time of 0.5 ms, the valve follows the force almost without delay, even in slow motion. Only the forces
+        // then determine whether it is open.
         fixed: vec![(number!("valve_time"), 5e-4)],
         ..candidate(
             &[element!("valve_hysteresis")],

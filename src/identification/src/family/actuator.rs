@@ -22,13 +22,14 @@ use serde::Serialize;
 
 /// Ratio of root mean square to mean absolute value of a normally distributed error.
 const RMS_OF_MEAN: f64 = 1.25;
-/// Factor on the second derivative of the force over the setting, in the first and last interval of the grid. It applies to the standard
-/// deviation of an interpolated force. The bound of [`InterpolationError`] uses the factor 2 instead.
+/// Factor on the nearest known second derivative of the force over the setting, in the first and last interval of the grid. It applies to
+/// the standard deviation of an interpolated force. The bound of [`InterpolationError`] uses the factor 2 instead.
 ///
 /// The figures of the physical valve in the book were computed with a factor of 1.5 (`prove_semi_active 4 3040000`).
 const AT_END: f64 = 1.5;
-/// Width of the interval of a time, s, above which a note advises further tests. It is the lag of a fast valve, so a wider interval does
-/// not tell a fast valve from a slow one. A smaller width gives advice where the times are good enough for a simulation.
+/// Width of the interval of a time, s, above which a note advises further tests. The value is the lag of a fast valve, so records with a
+/// wider interval do not distinguish fast and slow valves. With a smaller width, the note would also appear where the times are accurate
+/// enough for a simulation.
 const VAGUE: f64 = 0.01;
 /// Ratio of the posterior to the prior standard deviation of a number below which the number counts as identified.
 const NARROWED: f64 = 0.7;
@@ -135,10 +136,10 @@ pub fn identify_actuator(
     })
 }
 
-/// Returns, for each test, the group index of each scored sample. Samples after steps between the same two settings are one group over all
-/// tests.
+/// Returns, for each test, the group index of each scored sample. Over all tests, the samples after steps from one setting to another form
+/// one group.
 ///
-/// A step counts if the new setting lasts at least [`SHORTEST_LEVEL`]. All other samples of a test are one group. The model has the same
+/// A step counts if the new setting lasts at least [`SHORTEST_LEVEL`]. All other samples of a test form one group. The model has the same
 /// error at all steps of a group, so the errors within a group are correlated.
 fn groups_of_steps(tests: &[Test]) -> Vec<Vec<usize>> {
     let mut kinds: Vec<(u64, u64, usize)> = Vec::new();
@@ -183,8 +184,8 @@ fn hold_errors_of_steps(known: &mut [Estimate], refit: &ActuatorRefit, groups: &
     }
 }
 
-/// Widens each interval until it contains the effect, to both sides, of errors of the interpolated force. The effect is the difference from
-/// the estimate `without` these errors.
+/// Widens each interval until it contains the estimate plus and minus the effect of errors of the interpolated force. The effect is the
+/// difference between the estimate with these errors and the estimate `without` them.
 ///
 /// A moving valve passes settings between those of the grid, where no record shows the force. The records determine the errors of this
 /// force only together with the time constants of the valve, and these errors are bounded. So the intervals from the covariance alone would
@@ -211,7 +212,7 @@ fn interpolation_errors(damper: &Definition, reports: &[SettingReport]) -> Vec<f
         Some(RMS_OF_MEAN * squared.max(0.0).sqrt() / 100.0)
     };
     let midway = |pair: &[f64]| errors.of_differences(0.5 * (pair[0] + pair[1]), AT_END, difference);
-    // A grid of two settings has no inner setting that can be left out, so its interpolation error counts as zero. A note says so.
+    // A grid of two settings has no inner setting that can be left out, so its interpolation error counts as zero. A note states this.
     damper.axis.grid().windows(2).map(|pair| midway(pair).unwrap_or(0.0)).collect()
 }
 

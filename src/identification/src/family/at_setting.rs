@@ -32,7 +32,7 @@ pub fn at_setting(file: &ModelFile, setting: f64) -> ModelFile {
     // An ordinary damper has no actuator, so the intervals of its numbers are removed.
     identification.intervals.retain(|name, _| ENTRIES.iter().all(|entry| entry.name != name));
     let curves = std::mem::take(&mut identification.fv_only_over_setting);
-    // If the user changed the file, the stored plain FV curves belong to another damper.
+    // If the user changed the file, the stored plain FV curves are those of another damper.
     let curve = if file.was_changed() { None } else { place.curve(file.axis.grid(), &curves) };
     identification.fv_only = curve.or(identification.fv_only);
     // A number that was not identified at a neighboring setting has no measured value between the two neighbors.

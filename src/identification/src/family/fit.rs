@@ -282,9 +282,9 @@ fn estimates(hypothesis: &FamilyHypothesis, refit: &FamilyRefit, settings: &[Set
     all
 }
 
-/// Mixes the intervals with those of the alternative families, by their weights. If all settings share a number in an alternative, its one
-/// interval counts at every setting. If a number depends on the setting only in the alternative, each of its intervals has an equal part of
-/// the weight.
+/// Mixes the intervals with those of the alternative families, by their weights. If all settings share a number in an alternative, its
+/// single interval counts at every setting. If a number depends on the setting only in the alternative, each of its intervals has an equal
+/// part of the weight.
 fn mix_alternatives(all: &mut [FamilyEstimate], others: &[FamilyAlternative], settings: &[SettingTests]) {
     let others: Vec<(f64, Vec<FamilyEstimate>)> =
         others.iter().map(|of| (of.weight, estimates(&of.family.hypothesis, &of.family.refit, settings))).collect();

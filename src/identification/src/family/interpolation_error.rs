@@ -3,16 +3,17 @@
 use dashpot_core::Params;
 use dashpot_core::family::Definition;
 
-/// Factor on the second derivative of a value over the setting, in the first and last interval of the grid. There, only one end of the
-/// interval has neighbors on both sides. With a factor of 2, the bound on the error holds at 94 % of random settings in these intervals,
-/// with 1.5 at 92 %. The values followed random sigmoids, exponentials, powers and hyperbolas over 3 to 6 uneven settings.
+/// Factor on the nearest known second derivative of a value over the setting, in the first and last interval of the grid. There, only one
+/// end of the interval has neighbors on both sides. With a factor of 2, the bound on the error holds at 94 % of random settings in these
+/// intervals. With 1.5, it holds at 92 %. The values followed random sigmoids, exponentials, powers and hyperbolas over 3 to 6 uneven
+/// settings.
 const AT_END: f64 = 2.0;
 
 /// Least error of a value midway between two neighbors in a grid of three settings, as a fraction of the difference between the neighbors'
-/// values. Three settings show the second derivative only once, and an S-shaped law with its inflection at the second setting shows none.
-/// The error of a monotone law never exceeds the difference itself. With 0.25, the bound on the error holds at 92 % of random settings in
-/// grids of three, without this least error at 82 %. The random laws were bleed orifices with blow-off, magneto-rheological valves and
-/// S-shaped valves over 3 to 6 uneven settings.
+/// values. Three settings show the second derivative only once. If an S-shaped law has its inflection at the second setting, they show
+/// none. The error of a monotone law never exceeds the difference itself. With 0.25, the bound on the error holds at 92 % of random
+/// settings in grids of three. Without this least error, it holds at 82 %. The random laws were bleed orifices with blow-off,
+/// magneto-rheological valves and S-shaped valves over 3 to 6 uneven settings.
 const OF_STEP: f64 = 0.25;
 
 /// Half the second derivative of a value with respect to the setting, from three settings of the grid.
@@ -148,8 +149,8 @@ mod tests {
                 let value = damper.params_at(setting).number(number!("coulomb_force"));
                 let bound = bound(&damper, setting).unwrap();
                 let error = (value - characteristic(setting)).abs();
-                // Near a setting of the grid, the slope of the cubic at this setting dominates the error. It increases the error by less
-                // than half the bound.
+                // Near a setting of the grid, the slope of the cubic at this setting dominates the error. The error then exceeds the bound
+                // by less than half of the bound.
                 let beside = (setting % 0.25 - 0.125).abs() > 0.0625;
                 let most = if beside { 1.5 * bound } else { bound };
                 assert!(error <= most + 1e-9, "{setting}: {error} > {most}");

@@ -17,15 +17,16 @@ use dashpot_records::setting_in_words;
 /// of 5, the odds for a wrong label are then 6 to 1 between two settings and even among six settings. With a lower ratio, a correct test
 /// with a poor fit would be suspected. Test: `a_test_with_the_label_of_another_setting_is_named`.
 pub const LABEL_DOUBT_RATIO: f64 = 5.0;
-/// Smallest ratio of the median number of tests per setting to the number of tests at a setting for a check by [`strays`].
+/// Ratio of the median number of tests per setting to the number of tests at one setting, at and above which [`strays`] checks this
+/// setting.
 ///
 /// A wrong label rarely applies to many tests alike, so only settings with few tests are checked. The check costs a simulation of these
 /// tests at every setting. Test: `a_test_with_the_label_of_another_setting_is_named`.
 const FEW: usize = 3;
 /// Ratio of a test's error at another setting to its error at its stated setting below which both settings fit the test equally well.
 ///
-/// The damper at the stated setting was fitted to the test, so its error is small. This error counts as at least 1 in units of noise and
-/// form error. A damper that is interpolated or shares its numbers has an error of two to three such units. Test:
+/// The damper at the stated setting was fitted to the test, so its error is small. The error at the stated setting counts as at least 1, in
+/// units of noise and form error. A damper that is interpolated or shares its numbers has an error of two to three such units. Test:
 /// `a_test_with_the_label_of_another_setting_is_named`.
 const AS_WELL: f64 = 3.0;
 /// Largest decrease of the damping force over the setting that counts as noise, as a fraction of the range of the damping force. Test:
@@ -164,7 +165,7 @@ fn suspects(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
 
 /// Returns records at a setting with few tests whose forces are those of a setting at least two grid positions away.
 ///
-/// The family was fitted to these few tests at their stated setting, so their error at this setting is small even if it is wrong.
+/// The family was fitted to these few tests at their stated setting, so their error there is small even if the stated setting is wrong.
 fn strays(best: &FamilyStructure, settings: &[SettingTests]) -> Vec<Suspect> {
     let count = |of: &SettingTests| count_records(&of.tests);
     let mut sizes: Vec<usize> = settings.iter().map(count).collect();

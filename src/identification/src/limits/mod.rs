@@ -99,8 +99,8 @@ impl Checked {
         measured.damping.filter(|damping| *damping > DAMPING_SHARE * measured.value)
     }
 
-    /// Returns the uncertainty of the measured figure, s, if it can change the verdict. This is so if the lower or the upper limit lies
-    /// within the uncertainty of the figure.
+    /// Returns the uncertainty of the measured figure, s, if the lower or the upper limit lies within this uncertainty. The uncertainty can
+    /// then change the verdict.
     pub fn deciding_uncertainty(&self) -> Option<f64> {
         let measured = self.measured.as_ref()?;
         let uncertainty = measured.uncertainty?;

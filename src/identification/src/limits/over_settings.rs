@@ -116,10 +116,10 @@ pub struct SettingsFigures {
 }
 
 impl SettingsFigures {
-    /// Measures the figures of the records, and takes the measured times of `responses`. `settings` contains the setting of every record,
+    /// Measures the figures of the records, and copies the measured times of `responses`. `settings` contains the setting of every record,
     /// or `None` if the setting changes within the record.
     pub fn measure((records, settings): (&[&Record], &[Option<f64>]), responses: &[StepResponse]) -> Self {
-        // Judge each group of steps too, because a mean over tests and stroke directions would hide a slow response.
+        // Store the times of each group of steps too, because a mean over tests and stroke directions could conceal a slow response.
         let all = |of: &StepResponse| Some((of.measured?, of.uncertainty, of.tests.clone()));
         let each = |of: &StepGroup| Some((of.measured?, of.uncertainty, vec![of.test.clone()]));
         Self { at: figures_at(records, settings, None), steps: steps(responses, all, each) }
@@ -310,7 +310,8 @@ mod tests {
         )
     }
 
-    /// Makes step responses with different times until 63 %. They take 12 ms from 0 to 1.6, 9 ms from 0 to 0.8, and 20 ms from 1.6 to 0.
+    /// Makes step responses with different times until 63 % of the change. From 0 to 1.6, the time is 12 ms, from 0 to 0.8 it is 9 ms, and
+    /// from 1.6 to 0 it is 20 ms.
     fn responses() -> Vec<StepResponse> {
         let of = |from: f64, to: f64, t63_s: f64| {
             let times = ResponseTimes { t10_s: 0.003, t63_s, t90_s: 2.0 * t63_s, overshoot: 0.0 };
@@ -360,7 +361,7 @@ mod tests {
         // JSON has the figures in seconds, and their keys end in the unit.
         let json = serde_json::to_value(&found.limits[0]).unwrap();
         assert_eq!(json["measured"]["uncertainty_s"], 0.0005);
-        // The slowest step upwards and the only step downwards.
+        // The limits apply to the slowest step upward, from 0 to 1.6, and to the only step downward.
         assert_eq!(json["measured"]["step"], serde_json::json!([0.0, 1.6]));
         assert_eq!(found.limits[2].measured.as_ref().unwrap().step, Some((1.6, 0.0)));
         // The uncertainty of 0.5 ms does not decide about the limit of 11 ms, because the value 12 ms is 1 ms away.

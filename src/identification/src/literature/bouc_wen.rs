@@ -1,10 +1,10 @@
 //! Bouc-Wen hysteresis in parallel with a spring and a dashpot.
 //!
-//! R. Bouc, *Forced vibration of mechanical systems with hysteresis*, Prague 1967; Y.-K. Wen, *Method for random vibration
-//! of hysteretic systems*, J. Eng. Mech. Div. ASCE 102, 1976.
-//! `F = k x + c v + F_z z + f₀`, `ż = (v − β |v| |z|ⁿ⁻¹ z − γ v |z|ⁿ)/δ`. With β + γ = 1, z slides at ±1. Here x is the displacement, v the
-//! velocity, and z the relative hysteretic force. The spring has the stiffness k, the dashpot the damping c, and the hysteretic force the
-//! amplitude F_z. It builds up over the travel δ, with the sharpness n and the coefficients β and γ. f₀ is a constant force.
+//! R. Bouc, *Forced vibration of mechanical systems with hysteresis*, Prague 1967; Y.-K. Wen, *Method for random vibration of hysteretic
+//! systems*, J. Eng. Mech. Div. ASCE 102, 1976. `F = k x + c v + F_z z + f₀`, `ż = (v − β |v| |z|ⁿ⁻¹ z − γ v |z|ⁿ)/δ`. With β + γ = 1, z
+//! slides at ±1. Here x is the displacement, v the velocity, and z the relative hysteretic force. The spring has the stiffness k, the
+//! dashpot the damping c, and the hysteretic force the amplitude F_z. The hysteretic force builds up over the travel δ, with the sharpness
+//! n and the coefficients β and γ. f₀ is a constant force.
 
 use super::bristle::Shape;
 use super::law::{Law, Number};

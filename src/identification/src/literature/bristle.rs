@@ -10,7 +10,7 @@
 pub struct Shape {
     /// Sharpness n of the transition from sticking to sliding.
     pub sharpness: f64,
-    /// Fraction b of the term that changes sign with the direction of travel.
+    /// Fraction b of the term of the law that changes sign with the direction of travel.
     pub turning: f64,
 }
 

@@ -3,8 +3,8 @@
 //! P. R. Dahl, *A solid friction model*, The Aerospace Corporation, TOR-0158(3107-18)-1, 1968. F. Ikhouane and S. J. Dyke use it for
 //! magnetorheological dampers (Smart Mater. Struct. 16, 2007).
 //! `F = k x + c v + F_c z + f₀`, `dz/dx = (1 − z sgn v)/δ`. Here x is the displacement, v the velocity, and z the relative friction, which
-//! slides at ±1. The spring has the stiffness k, the dashpot the damping c, and the friction the sliding force F_c. It builds up over the
-//! travel δ, and f₀ is a constant force.
+//! slides at ±1. The spring has the stiffness k, the dashpot the damping c, and the friction the sliding force F_c. Friction builds up
+//! over the travel δ, and f₀ is a constant force.
 
 use super::law::{Law, Number};
 use super::observation::{SampledMotion, Scales};

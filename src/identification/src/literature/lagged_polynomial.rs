@@ -30,8 +30,8 @@ const DEGREE: usize = 7;
 const RAMP: [f64; 2] = [0.03, 0.3];
 /// Number of substeps for each shortest time constant in a sampling interval.
 const PARTS: f64 = 2.0;
-/// Largest number of substeps in a sampling interval. An interval that needs more is so long compared with the time constants that the
-/// force reaches the value of the polynomial in it.
+/// Largest number of substeps in a sampling interval. An interval that needs more substeps is much longer than the time constants. The
+/// force then reaches the value of the polynomial within the interval.
 const MOST_PARTS: f64 = 16.0;
 /// Bound on the coefficients of a polynomial of degree 7, in units of the largest force divided by a power of the highest velocity.
 ///

@@ -26,8 +26,8 @@ fn leaking(strength: f64, scale: &Scale, d: &mut Draw) -> Box<dyn EffectModel> {
     Box::new(Leaking { force, share: d.between(0.3, 0.6), per_campaign: d.between(1.0, 3.0) })
 }
 
-/// Friction of the O-ring of a floating piston. It maintains a pressure difference between gas and oil, which reverses
-/// with the stroke.
+/// Friction of the O-ring of a floating piston. The friction maintains a pressure difference between gas and oil, which
+/// reverses with the stroke.
 ///
 /// The friction of the O-ring is 0.1 to 0.3 of the gas force (Karaszewski, Hydraulic seals).
 struct StickingPiston {

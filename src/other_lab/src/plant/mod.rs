@@ -184,8 +184,8 @@ fn forces(d: &mut Draw) -> (f64, f64) {
 mod tests {
     use super::*;
 
-    /// Checks that the removal of air does not change the compliance of the void, and the reverse. Air acts above 1
-    /// bar, and a void below.
+    /// Checks that the removal of air does not change the compliance of the void. Also checks that the removal of the
+    /// void does not change the compliance of the air. Air acts above 1 bar, and a void below.
     #[test]
     fn oil_without_air_keeps_its_void() {
         let whole = monotube::Fluid { oil: 1e-4, air: 1e-3, air_is_felt: true, void_is_felt: true };

@@ -52,8 +52,8 @@ pub struct SolenoidValve {
     pub friction: [f64; 2],
     /// Fraction of the flow force that acts on the spool.
     pub flow_force: f64,
-    /// Time constant of the main stage for small motion, s. Above the second value, the distance of spool and main
-    /// stage, m, the flow into its chamber is turbulent.
+    /// Time constant of the main stage for small motion, s, and distance between spool and main stage, m. At larger
+    /// distances, the flow into the chamber of the main stage is turbulent.
     pub stage: [f64; 2],
     /// Travel of the main stage, m, and width of its opening, m.
     pub opening: [f64; 2],

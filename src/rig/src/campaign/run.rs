@@ -42,9 +42,9 @@ const TEMPERATURES_C: std::ops::RangeInclusive<f64> = -40.0..=120.0;
 
 /// Returns the default sample rate, Hz, for a test.
 ///
-/// The rate gives at least 400 samples per cycle, because it is rounded up to a common rate within 20 to 1000 Hz. Above
-/// 2.5 Hz, the upper limit gives fewer samples. The lower limit lets a slow test resolve the break-away of friction,
-/// and the upper limit is the rate of a common data logger.
+/// The rate gives at least 400 samples per cycle and is rounded up to a common rate, within 20 to 1000 Hz. Above 2.5
+/// Hz, the upper limit gives fewer samples per cycle. The lower limit lets a slow test resolve the break-away of
+/// friction. The upper limit is the rate of a common data logger.
 pub fn default_sample_rate_hz(frequency_hz: f64) -> f64 {
     let wanted = SAMPLES_PER_CYCLE * frequency_hz;
     RATES_HZ.into_iter().find(|rate| *rate >= wanted).unwrap_or(HIGHEST_DEFAULT_RATE_HZ)

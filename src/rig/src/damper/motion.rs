@@ -147,7 +147,7 @@ struct Chamber {
     specific_volume: f64,
     /// Cross-section of the tube relative to that at atmospheric pressure, due to the expansion of its wall.
     dilation: f64,
-    /// Volume that the chamber takes up per increase of pressure, due to oil, tube and gas, m³/Pa.
+    /// Additional volume of oil that the chamber accepts per increase of pressure, due to oil, tube and gas, m³/Pa.
     compliance: f64,
 }
 

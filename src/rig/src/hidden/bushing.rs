@@ -72,8 +72,8 @@ impl DamperEffect for Bushing {
 pub(super) fn draw(recipe: &mut Recipe) -> Box<dyn DamperEffect> {
     let form = recipe.form(FORMS);
     let working_m = recipe.neutral.valves.force_n(WORKING_M_S) / recipe.neutral.mount.stiffness_n_m;
-    // A proportional change of a stiff series spring would be invisible. So the relative compliance grows with the
-    // stiffness, to give every damper with a mount above 0.4e6 N/m about equal mount stiffness.
+    // A proportional change of a stiff series spring would be invisible. Therefore, the relative compliance grows with
+    // the stiffness. Every damper with a mount above 0.4e6 N/m thus has about equal mount stiffness.
     let softness = (recipe.neutral.mount.stiffness_n_m / 0.8e6).max(0.5);
     let draw = &mut recipe.draw;
     Box::new(Bushing {

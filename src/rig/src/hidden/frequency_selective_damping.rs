@@ -35,8 +35,8 @@ impl DamperEffect for FrequencySelective {
     fn rates(&self, here: &Here, states: &[f64], rates: &mut [f64]) {
         if self.form == 0 {
             for (index, force) in [here.oil_n, -here.oil_n].into_iter().enumerate() {
-                // The pressure in its direction fills a control chamber through a throttle. Without pressure, a check
-                // valve empties the chamber.
+                // Each control chamber belongs to one direction of the oil force. A force in this direction fills the
+                // chamber through a throttle. Without such a force, a check valve empties the chamber.
                 let pressure = (force / self.scale_n).max(0.0);
                 let fills = (pressure / (pressure + 0.3)).sqrt() * (1.0 - states[index]) / self.closing_s;
                 let idle = 1.0 / (1.0 + libm::exp(force / (0.02 * self.scale_n)));

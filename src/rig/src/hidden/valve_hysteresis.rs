@@ -60,7 +60,8 @@ impl DamperEffect for ValveHysteresis {
             }
         };
         let standing = states[0];
-        // If the valve position belongs to the other direction, the blow-off valve is closed for this direction.
+        // The valve position may still belong to the opposite direction of the force. The blow-off valve of the current
+        // direction is then closed.
         let ratio = if standing * force_n > 0.0 { (force_n / standing).min(4.0) } else { 0.0 };
         let opened = valves.flow_m_s(standing) - bleed(standing);
         Some(bleed(force_n) + opened * ratio.sqrt())
