@@ -23,11 +23,12 @@
 // positive, compression negative. Tension is positive: a damper that resists extension has a positive
 // force, and gas that pushes the rod out a negative one. This is stated here once and holds everywhere below.
 //
-// Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library). Static:
-// program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object. All its names are local,
-// except dashpot_*. A build from sources makes it with sh src/dll/static.sh, in target/lib. Neither needs another library. Both
-// import only memcpy, memmove, memset, memcmp and bcmp, which compilers call by themselves and every C
-// runtime has. They use no allocator, file, lock or thread.
+// Linking. Compile with -I include. Shared: program.c libdashpot.so (Windows: dashpot.dll and its import library).
+// Static: program.c libdashpot.a, in any order with other libraries of C and C++. The static one is a single object.
+// All its names are local, except dashpot_*. To build the static library from sources, run sh src/dll/static.sh, which
+// writes it to target/lib. Neither the shared nor the static library needs another library. Both import only memcpy,
+// memmove, memset, memcmp and bcmp, which compilers call by themselves and every C runtime has. They use no allocator,
+// file, lock or thread.
 //
 // Memory. The library allocates nothing and stores nothing. The caller owns all blocks, as globals, on the stack or
 // on the heap. There is nothing to free. dashpot_params, dashpot_model and dashpot_state hold no pointers; they may
@@ -144,7 +145,7 @@ const char *dashpot_version(void);
 // dt is NaN, negative, above 100 s, or above 0 but below 1e-15 s.
 #define DASHPOT_BAD_TIME_STEP -8
 
-// known has a bit that this library does not know.
+// The member known of an input has a bit that this library does not define.
 #define DASHPOT_UNKNOWN_FLAG -9
 
 // No parameter or element has this name.
@@ -207,7 +208,7 @@ const char *dashpot_version(void);
 // The series spring is softer than the parallel spring somewhere within 100 mm.
 #define DASHPOT_SOFTER_THAN_INNER -29
 
-// The elements that are on have more than 8 private states.
+// The elements that are on have more than 8 internal states.
 #define DASHPOT_TOO_MANY_STATES -30
 
 // Free play or a bushing is on, and series_compliance, which they belong to, is off.
@@ -230,8 +231,8 @@ const char *dashpot_version(void);
 
 // The parameter's magnitude is inconsistent with the others.
 //
-// Parameters with a force in their unit may be a thousandth to a hundred times those of a car's damper, if all have
-// one scale. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
+// Parameters with a force in their unit may be a thousandth to a hundred times those of a car's damper, if one factor
+// scales all. A rod of 1 g is consistent with a damper of 10 N, not with one of 1 kN.
 #define DASHPOT_OUT_OF_PROPORTION -37
 
 // A table of the model file is named as an element; parameters belong above the first `[table]`.
@@ -272,7 +273,7 @@ typedef struct DASHPOT_ALIGNED(16) dashpot_params {
   uint32_t struct_size;
   // DASHPOT_ABI_VERSION.
   uint32_t abi_version;
-  // The library's.
+  // Internal data of the library.
   uint64_t opaque[2047];
 } dashpot_params;
 
@@ -289,18 +290,18 @@ typedef struct dashpot_fault {
 // Fills a parameter set with the defaults of the table. params->struct_size and params->abi_version must be set.
 int32_t dashpot_params_default(dashpot_params *params);
 
-// Sets one number, or a choice by its number. A number that depended on the setting is then constant.
+// Sets one number, or a choice by its index from 0. A number that depended on the setting is then constant.
 int32_t dashpot_params_set(dashpot_params *params, const char *name, double value);
 
 // Sets a list of count numbers. The two lists of a curve may be set in any order; whether they fit together is
 // checked by dashpot_params_check() and dashpot_model_init().
 int32_t dashpot_params_set_list(dashpot_params *params, const char *name, const double *values, uint32_t count);
 
-// Reads one number, or the number of a choice, into *value.
+// Reads one number, or the index of a choice from 0, into *value.
 int32_t dashpot_params_get(const dashpot_params *params, const char *name, double *value);
 
-// Reads a list into values, which has room for capacity numbers, and its length into *count. With values null it returns only
-// the length.
+// Reads a list into values, which has room for capacity numbers, and its length into *count. If values is null, only the
+// length is returned.
 int32_t dashpot_params_get_list(const dashpot_params *params,
                                 const char *name,
                                 double *values,
@@ -313,7 +314,7 @@ int32_t dashpot_params_enable(dashpot_params *params, const char *element, uint3
 // Reads whether an element of the model is on: *on becomes 1 or 0.
 int32_t dashpot_params_is_on(const dashpot_params *params, const char *element, uint32_t *on);
 
-// Reads a model file: text holds its length bytes, without a terminating zero.
+// Reads a model file: text contains the length bytes of the file, without a terminating zero.
 //
 // All parameters are set: those that the file does not name get their defaults, so dashpot_params_default() is not needed before.
 // On an error *fault contains the line and the parameter; fault may be null.
@@ -341,9 +342,9 @@ int32_t dashpot_params_check(const dashpot_params *params, dashpot_fault *fault)
 // Maximum number of states of a model; the capacity of dashpot_partials.
 #define DASHPOT_MAX_STATES 10
 
-// A prepared model. Nothing in it is for the host.
+// A prepared model. The host neither reads nor writes its contents.
 typedef struct DASHPOT_ALIGNED(16) dashpot_model {
-  // The library's.
+  // Internal data of the library.
   uint64_t opaque[6144];
 } dashpot_model;
 
@@ -351,7 +352,7 @@ typedef struct DASHPOT_ALIGNED(16) dashpot_model {
 typedef struct dashpot_state_name {
   // sizeof(dashpot_state_name).
   uint32_t struct_size;
-  // Its index among the states, from 0.
+  // Index of the state, from 0.
   uint32_t state;
   // Name, zero-terminated.
   char name[48];
@@ -359,12 +360,13 @@ typedef struct dashpot_state_name {
   char unit[16];
 } dashpot_state_name;
 
-// Number of states that a solver of the host integrates (see Evaluation), from 2 to DASHPOT_MAX_STATES.
+// Returns the number of states that a solver of the host integrates (see Evaluation), from 2 to DASHPOT_MAX_STATES.
 //
 // These are the states of the internal mass and the internal states of the elements that are on. A negative result is an error.
 int32_t dashpot_model_states(const dashpot_model *model);
 
-// Names state `state` of a model, from 0. State k is rate->mass_displacement, rate->mass_velocity, rate->internal[k - 2].
+// Writes the name and the unit of state `state` of a model, counted from 0, to *name. State k is rate->mass_displacement,
+// rate->mass_velocity, rate->internal[k - 2].
 int32_t dashpot_model_state_name(const dashpot_model *model,
                                  uint32_t state,
                                  dashpot_state_name *name);
@@ -403,7 +405,8 @@ typedef struct dashpot_input {
   uint32_t struct_size;
   // Sum of the DASHPOT_KNOWS_... bits that apply.
   uint32_t known;
-  // Displacement, m, extension positive. A host that knows it should provide it, to prevent drift.
+  // Displacement, m, extension positive. A host that knows the displacement should provide it, because an integrated
+  // displacement drifts.
   double displacement;
   // Velocity, m/s, extension positive. Always needed.
   double velocity;
@@ -449,17 +452,17 @@ static inline dashpot_input dashpot_input_motion(double displacement, double vel
 // ==============================================================================================================
 
 // The state contains the whole history of a damper, friction hysteresis included, as numbers that the host owns. Copy the structure to
-// try a step and roll it back, or to save a run and resume it. A run resumed from a copy
-// repeats the first to the last bit.
+// try a step and roll it back, or to save a run and resume it. A run resumed from a copy repeats the original run to the last bit.
 //
 // A state may be used with another model, for example when a model is prepared again while it
 // runs. Internal states follow their elements, and an element that was off before starts in equilibrium.
 //
-// Derivatives of a step are exact where its force is smooth. At a knee (a point of a piecewise linear curve, a stop, a
-// reversal, a void that closes) they are one-sided, of the side on which the step was solved, or lie between both sides.
-// An implicit host should bound its Newton steps there. In a search over random steps, most of them far from real
-// dampers, one derivative in a thousand has an error above 2 %. With a nonlinear spring nearly as stiff as the series
-// spring and an element of the oil, a step of 10 ms gives the derivative of the tangent at its last iterate.
+// Derivatives of a step are exact where its force is smooth. A knee is a point of a piecewise linear curve, a stop, a
+// reversal or a void that closes. At a knee the derivatives are those of the side on which the step was solved, or lie
+// between those of both sides. An implicit host should bound its Newton steps there. In a search over random steps,
+// most of them far from real dampers, one derivative in a thousand has an error above 2 %. With a nonlinear spring
+// nearly as stiff as the series spring and an element of the oil, a step of 10 ms gives the derivative of the tangent
+// at its last iterate.
 
 // State of one damper.
 typedef struct dashpot_state {
@@ -473,7 +476,8 @@ typedef struct dashpot_state {
   double mass_velocity;
   // Internal states of the elements that are on.
   double internal[8];
-  // Identifies these states; written by the library. 0 means those of the model that the state is passed to.
+  // Number that identifies the layout of the internal states; written by the library. 0: the layout of the model
+  // that the state is passed to.
   double layout;
   // 0.
   double reserved;
@@ -504,7 +508,7 @@ typedef struct dashpot_output {
   double series_deflection;
   // Force of the stops at the ends of the stroke, N.
   double stop_force;
-  // Temperature of the oil that the forces belong to, degrees Celsius.
+  // Temperature of the oil at which the forces are computed, degrees Celsius.
   double oil_temperature;
 } dashpot_output;
 
@@ -528,8 +532,9 @@ int32_t dashpot_state_init_motion(const dashpot_model *model,
 // Step
 // ==============================================================================================================
 
-// For hosts with a fixed step. A step runs from the instant of a state to dt later; the input is the one at
-// the end of the step. The input at its start is not needed again, because the state contains its displacement and velocity.
+// For hosts with a fixed step. A step runs from the time of a state to a time later by dt. The input is the one at the
+// end of the step. The input at the start of the step is not needed again, because the state contains its displacement
+// and velocity.
 //
 // dt = 0 is a static evaluation: the equilibrium force at constant displacement and velocity. Presliding friction keeps its
 // deflection from the motion before. The state does not change.
@@ -545,7 +550,8 @@ int32_t dashpot_force(const dashpot_model *model,
                       double dt,
                       double *force);
 
-// One step of dt (s) from *from to the input *to_input; writes the new state to *to and the output there to *output.
+// Advances the state *from by one step of dt (s), at whose end the input is *to_input. Writes the new state to *to and
+// the output at the end of the step to *output.
 //
 // from and to may be the same state; otherwise *from is not changed, so a step may be tried and repeated.
 int32_t dashpot_step(const dashpot_model *model,
@@ -555,12 +561,12 @@ int32_t dashpot_step(const dashpot_model *model,
                      dashpot_state *to,
                      dashpot_output *output);
 
-// One step of count dampers, such as the four corners of a car.
+// Advances count dampers by one step of dt (s), such as the four corners of a car.
 //
 // models holds count pointers, which may point to the same model. from, to_inputs, to and outputs hold count elements each. from and to
 // may be the same array. The results equal those of count calls of dashpot_step() to the last bit. All arguments are checked first: an
-// error of one damper leaves every output unchanged. Only DASHPOT_NOT_COMPUTABLE occurs later: it leaves the dampers before the failed one
-// advanced, and that one and those after it unchanged. Returns all warnings combined.
+// error of one damper leaves every output unchanged. Only DASHPOT_NOT_COMPUTABLE occurs later: the dampers before the failed one are then
+// advanced, and the failed one and all after it are unchanged. Returns all warnings combined.
 int32_t dashpot_step_batch(uint32_t count,
                            const dashpot_model *const *models,
                            const dashpot_state *from,
@@ -576,7 +582,8 @@ int32_t dashpot_step_batch(uint32_t count,
 
 // The outputs of dashpot_jacobian() and dashpot_jacobian_setting().
 
-// All partial derivatives at one instant. States in the order that dashpot_evaluate() has; inputs: displacement, velocity.
+// All partial derivatives at one instant. The states have the order of dashpot_evaluate(); the inputs are displacement and
+// velocity.
 typedef struct dashpot_partials {
   // dF/d(input).
   double d_force_d_input[2];
@@ -590,7 +597,7 @@ typedef struct dashpot_partials {
 
 // Derivatives of force and state rates with respect to the commanded setting, at constant states.
 typedef struct dashpot_setting_derivatives {
-  // dF/d(setting). 0 if the actuator has a lag: the force then follows its state.
+  // dF/d(setting). 0 if the actuator has a lag, because the force then depends on the actuator's states instead.
   double d_force_d_setting;
   // d(rate of state i)/d(setting), in the order of dashpot_partials.
   double d_rate_d_setting[10];
@@ -601,19 +608,19 @@ typedef struct dashpot_setting_derivatives {
 // Evaluation
 // ==============================================================================================================
 
-// For hosts whose own solver integrates the states: force, rates and partial derivatives at one instant. Pure: the
-// state is read and not changed.
+// For hosts whose own solver integrates the states: force, rates and partial derivatives at one instant. The functions
+// read the state and do not change it.
 //
 // The states that the solver integrates are, in this order: displacement of the internal mass, its velocity, and the
-// internal states. dashpot_model_states() returns their number, dashpot_model_state_name() their names. All entries behind
+// internal states. dashpot_model_states() returns their number, dashpot_model_state_name() their names. All entries after
 // them in a structure are 0 and stay 0. Without series_compliance the internal mass moves with the moving end: its two
-// rates are 0. A host without a displacement integrates that too (rate->displacement is the velocity).
-// state->velocity is the last input of a step and no state: it is ignored, and its rate is 0.
+// rates are 0. A host without a displacement integrates that too (rate->displacement is the velocity). state->velocity is
+// the last input of a step and no state: it is ignored, and its rate is 0.
 //
 // The states are stiff: the small mass behind the valves follows at rates of 1e4 to 1e6 1/s, which `dashpot check` reports for
 // a model file. An implicit solver with the partial derivatives (CVODE, DASSL, Radau) takes long steps. An explicit one
-// (Euler, Runge-Kutta) needs microseconds; longer steps may yield a wrong force with status 0. dashpot_step() is stable at
-// every step.
+// (Euler, Runge-Kutta) needs steps of microseconds; longer steps may yield a wrong force with status 0. dashpot_step() is
+// stable at every step.
 
 // Evaluates force and state derivatives at *state and *input: writes the output to *output, d(state)/dt to *rate.
 int32_t dashpot_evaluate(const dashpot_model *model,
@@ -622,7 +629,7 @@ int32_t dashpot_evaluate(const dashpot_model *model,
                          dashpot_output *output,
                          dashpot_state *rate);
 
-// All partial derivatives of force and rates at *state and *input, to *partials.
+// Writes all partial derivatives of force and rates at *state and *input to *partials.
 int32_t dashpot_jacobian(const dashpot_model *model,
                          const dashpot_state *state,
                          const dashpot_input *input,
@@ -633,8 +640,9 @@ int32_t dashpot_jacobian(const dashpot_model *model,
 // Setting
 // ==============================================================================================================
 
-// Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A parameter set may hold numbers and
-// the forces of the FV table over a grid of 2 to 8 settings, as a model file does:
+// Many dampers depend on a setting: the current of a semi-active valve, the click of an adjuster, a gas pressure. A
+// parameter set may contain one value of a number for each setting of a grid of 2 to 8 settings. The same holds for
+// the forces of the FV table. A model file contains, for example, these lines:
 //
 //     setting = [0.0, 0.8, 1.6]
 //     setting_name = "current"
@@ -646,11 +654,13 @@ int32_t dashpot_jacobian(const dashpot_model *model,
 // interpolated by monotone cubics, exact on the grid. A setting outside the grid is clamped to its ends (warning DASHPOT_OUTSIDE_SETTING).
 // At every setting the damper equals one without a setting that has the interpolated numbers.
 //
-// The actuator has a dead time, a lag up and down, rate limits and hysteresis, set by dashpot_params_set() as "setting_dead_time", "setting_time_up",
-// "setting_time_down", "setting_rate_up", "setting_rate_down", "setting_hysteresis" and "setting_hysteresis_rest"; "setting_start" is the setting if the host provides none. The actual setting of
-// the valve is part of the state.
+// The actuator has a dead time, time constants for a rising and for a falling setting, rate limits and hysteresis.
+// dashpot_params_set() sets them by the names "setting_dead_time", "setting_time_up", "setting_time_down",
+// "setting_rate_up", "setting_rate_down", "setting_hysteresis" and "setting_hysteresis_rest". "setting_start" is the
+// setting if the host provides none. The actual setting of the valve is part of the state.
 //
-// An evaluation (see Evaluation) has no history: with a dead time, a host that integrates the states delays the command itself.
+// An evaluation (see Evaluation) ignores the dead time, because it stores no previous commands. A host that integrates the
+// states must delay the command itself.
 
 // Maximum number of settings of a grid.
 #define DASHPOT_MAX_SETTINGS 8
@@ -671,12 +681,12 @@ typedef struct dashpot_setting {
   char unit[32];
 } dashpot_setting;
 
-// Sets the grid of the setting: count increasing numbers. Values over the previous grid are dropped.
+// Sets the grid of the setting: count increasing numbers. All values over the previous grid are removed.
 //
 // With count 0 the damper no longer depends on a setting.
 int32_t dashpot_params_set_grid(dashpot_params *params, const double *grid, uint32_t count);
 
-// Sets a number over the setting: one value for each of the grid.
+// Makes a number depend on the setting: values contains one value for each setting of the grid.
 int32_t dashpot_params_set_over(dashpot_params *params, const char *name, const double *values, uint32_t count);
 
 // Sets the forces of the FV table, fv_force, at the setting with this index of the grid, from 0. All settings of the grid need them.
@@ -705,10 +715,10 @@ int32_t dashpot_actuator_setting(const dashpot_model *model,
                                  const dashpot_input *input,
                                  double *setting);
 
-// Writes the derivative of the force over the actual setting of the valve to *derivative.
+// Writes the derivative of the force with respect to the actual setting of the valve to *derivative.
 //
 // It is the total derivative of the force of dashpot_step() from *from to *to_input; with dt = 0, of the equilibrium force. A controller divides
-// by it. The call costs two steps. 0 for a damper that depends on no setting.
+// by this derivative. The call costs two steps. 0 for a damper that depends on no setting.
 int32_t dashpot_d_force_d_setting(const dashpot_model *model,
                                   const dashpot_state *from,
                                   const dashpot_input *to_input,
@@ -759,9 +769,9 @@ typedef struct dashpot_parameter {
   char name[48];
   // SI unit; "-" for a pure number.
   char unit[16];
-  // The element it belongs to, or the group of settings.
+  // Name of the parameter's element, or of the group of settings.
   char element[48];
-  // One sentence.
+  // Meaning in one sentence.
   char meaning[256];
 } dashpot_parameter;
 

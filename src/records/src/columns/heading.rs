@@ -265,8 +265,8 @@ pub(crate) fn unit_of_current<'a>(text: &'a str, below: Option<&'a str>) -> Opti
 /// Words for the fraction of time in which a valve gets its supply voltage, as in "duty cycle".
 const DUTY: [&str; 5] = ["duty", "dutycycle", "pwm", "tastgrad", "占空比"];
 
-/// Returns the unit of a column that may contain the setting of a valve in a unit that is not one of current, as
-/// written: `Current [%]`, `PWM duty (%)`. `below` is the unit below the heading.
+/// Returns the unit of a command to a valve in another unit than one of current, as written: `Current [%]`.
+/// `below` is the unit below the heading.
 pub(crate) fn unit_of_command<'a>(text: &'a str, below: Option<&'a str>) -> Option<&'a str> {
     let unit = written_unit(text).or(below)?;
     match heading(text) {

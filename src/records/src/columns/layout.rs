@@ -26,8 +26,9 @@ pub(crate) struct Layout {
     pub(super) ignored: Vec<String>,
     /// Columns assigned to a channel by their unit alone.
     pub(super) guessed: Vec<(Channel, String)>,
-    /// Columns that may contain the setting, of a table without a recognized setting: heading, unit, and the channel to
-    /// which the note advises to assign the column.
+    /// Columns that may contain the setting, if none is recognized: heading, unit and channel.
+    ///
+    /// The note on such a column advises to assign it to the channel.
     pub(super) unread_settings: Vec<(String, String, Channel)>,
     /// Time between samples that the user gives for files without a time column, s.
     pub(super) step: Option<f64>,

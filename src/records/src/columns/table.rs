@@ -258,10 +258,8 @@ impl Rows {
             notes.push(Note { kind: "guessed", text });
         }
         for (column, unit, channel) in &self.layout.unread_settings {
-            let phrase = match channel {
-                Channel::Current => phrases::UNREAD_CURRENT,
-                _ => phrases::UNREAD_SETTING,
-            };
+            let is_current = *channel == Channel::Current;
+            let phrase = if is_current { phrases::UNREAD_CURRENT } else { phrases::UNREAD_SETTING };
             let text = Sentence::from(phrase).with("column", column).with("unit", unit);
             notes.push(Note { kind: UNREAD_CURRENT, text });
         }
