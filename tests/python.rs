@@ -8,9 +8,9 @@ use std::sync::OnceLock;
 /// Python packages of the hosts that the tests run: FMPy, which runs FMUs, and MuJoCo.
 const PACKAGES: [&str; 2] = ["fmpy==0.3.32", "mujoco==4.0.0"];
 
-/// Arguments of the interpreter for an installation. Python compiles a module when it is first imported, so compiling all
+/// Arguments of pip for an installation. Python compiles a module when it is first imported, so compiling all
 /// modules of all packages would take twice the time.
-const INSTALL: [&str; 5] = ["-m", "pip", "install", "--quiet", "--no-compile"];
+const INSTALL: [&str; 3] = ["install", "--quiet", "--no-compile"];
 
 /// Returns whether the Python environment exists or can be installed. If not, reports the calling test as skipped, with
 /// the reason.
@@ -57,7 +57,10 @@ fn made() -> &'static Result<PathBuf, String> {
                 Command::new("python3").args(["-m", "venv"]).arg(&environment),
                 "python3 with venv (Debian: apt-get install python3-venv)",
             )?;
-            run(Command::new(&python).args(INSTALL).args(PACKAGES), &format!("{} from PyPI", PACKAGES.join(" and ")))?;
+            run(
+                Command::new(&python).args(["-m", "pip"]).args(INSTALL).args(PACKAGES),
+                &format!("{} from PyPI", PACKAGES.join(" and ")),
+            )?;
             std::fs::write(&done, "").expect("a mark");
         }
         Ok(python)
@@ -76,7 +79,7 @@ pub fn python_with(packages: &str) -> Option<PathBuf> {
     let install = || {
         let Ok(pip) = made() else { return false };
         let mut command = Command::new(pip);
-        command.args(["-m", "pip", "--python"]).arg(&python).args(&INSTALL[2..]);
+        command.args(["-m", "pip", "--python"]).arg(&python).args(INSTALL);
         runs(command.args(packages.split(' ')))
     };
     let made = done.exists()

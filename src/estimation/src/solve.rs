@@ -276,15 +276,15 @@ impl Search<'_> {
         let residuals = self.residuals(&*at)?;
         let jacobians = match jacobian {
             Some(known) => known,
-            None => self.jacobians(&*at, x, &residuals)?,
+            None => self.jacobians(&*at, x, &residuals.iter().collect::<Vec<_>>())?,
         };
         let join = |(residual, jacobian)| Rows { residual, jacobian };
         Some(residuals.into_iter().zip(jacobians).map(join).collect())
     }
 
     /// Computes the derivatives of known residuals. Returns `None` if a residual or a derivative is missing or not finite.
-    fn jacobians(&self, at: &dyn Point, x: &[f64], residuals: &[DVector<f64>]) -> Option<Vec<DMatrix<f64>>> {
-        let of = |(block, residual): (usize, &DVector<f64>)| {
+    fn jacobians(&self, at: &dyn Point, x: &[f64], residuals: &[&DVector<f64>]) -> Option<Vec<DMatrix<f64>>> {
+        let of = |(block, residual): (usize, &&DVector<f64>)| {
             let jacobian = match at.jacobian(block) {
                 Some(exact) => exact,
                 None => differences::central((self.problem, block), (x, residual.as_slice()), self.bounds)?,
@@ -583,13 +583,15 @@ impl Search<'_> {
         is_small.then(|| now.inside(&(step + correction), self.bounds))
     }
 
-    /// Computes the derivatives and the linear problem after an accepted step. Returns `None` if they are not finite.
+    /// Computes the derivatives and the linear problem after an accepted step. Returns `None` if they are not finite. The
+    /// derivatives of the previous point then stay.
     fn renew(&self, now: &mut Iterate, at: &dyn Point) -> Option<()> {
         if self.options.derivatives != Derivatives::Kept {
-            let residuals: Vec<DVector<f64>> = now.rows.drain(..).map(|rows| rows.residual).collect();
+            let residuals: Vec<&DVector<f64>> = now.rows.iter().map(|rows| &rows.residual).collect();
             let jacobians = self.jacobians(at, &now.x, &residuals)?;
-            now.rows =
-                residuals.into_iter().zip(jacobians).map(|(residual, jacobian)| Rows { residual, jacobian }).collect();
+            for (rows, jacobian) in now.rows.iter_mut().zip(jacobians) {
+                rows.jacobian = jacobian;
+            }
         }
         now.linear = self.linear(&now.x, &now.rows);
         Some(())
@@ -821,6 +823,27 @@ mod tests {
         near(&solve(&Root, &[20.0], &Bounds::none(1), &Options::default()).x, &[libm::exp(1f64)], 1e-7);
         let lost = solve(&Root, &[-1.0], &Bounds::none(1), &Options::default());
         assert!(lost.cost.is_infinite() && !lost.converged);
+    }
+
+    #[test]
+    fn a_search_that_ends_at_a_point_without_derivatives_keeps_its_residuals_there() {
+        struct OnceDifferentiable;
+        impl Residuals for OnceDifferentiable {
+            type At = f64;
+            fn prepare(&self, x: &[f64]) -> Option<f64> {
+                Some(x[0])
+            }
+            fn residuals(&self, _: usize, x: &f64) -> Option<Vec<f64>> {
+                Some(vec![x * x - 4.0])
+            }
+            fn jacobian(&self, _: usize, x: &f64) -> Option<DMatrix<f64>> {
+                Some(DMatrix::from_element(1, 1, if *x == 8.0 { 16.0 } else { f64::NAN }))
+            }
+        }
+        let found = solve(&OnceDifferentiable, &[8.0], &Bounds::none(1), &Options::default());
+        assert!(found.x[0] < 8.0 && !found.converged);
+        near(found.rows[0].residual.as_slice(), &[found.x[0] * found.x[0] - 4.0], 1e-12);
+        assert_eq!(found.rows[0].jacobian[(0, 0)], 16.0);
     }
 
     #[test]

@@ -135,7 +135,7 @@ impl Commands {
                 None => {}
             }
             let values = schedule.values(axis)?;
-            of_its_unit(values.iter().map(|(_, value)| *value), (axis, model), "--setting")?;
+            check_unit(values.iter().map(|(_, value)| *value), (axis, model), "--setting")?;
             return Ok(Commands { source: Source::Schedule(values, axis.start()), notes });
         }
         let Some(of) = own else {
@@ -157,7 +157,7 @@ impl Commands {
                 axis.unit()
             );
         }
-        of_its_unit(of.values.iter().copied(), (axis, model), &format!("the {} of {}", of.name, motion.display()))?;
+        check_unit(of.values.iter().copied(), (axis, model), &format!("the {} of {}", of.name, motion.display()))?;
         notes.push(describe(of, motion));
         notes.extend(outside(of, axis));
         Ok(Commands { source: Source::Motion, notes })
@@ -267,11 +267,11 @@ fn outside(of: &MotionSetting, axis: &Axis) -> Option<String> {
     })
 }
 
-/// Checks that settings can be in the unit of a model file. `source` is the option or column with the settings.
+/// Checks that settings are plausible in the unit of a model file. `source` is the option or column with the settings.
 ///
 /// # Errors
 /// The largest setting exceeds the largest setting of the model file by more than the factor [`OF_ANOTHER_UNIT`].
-fn of_its_unit(settings: impl Iterator<Item = f64>, (axis, model): (&Axis, &Path), source: &str) -> anyhow::Result<()> {
+fn check_unit(settings: impl Iterator<Item = f64>, (axis, model): (&Axis, &Path), source: &str) -> anyhow::Result<()> {
     let (low, high) = axis.range();
     let largest = settings.map(f64::abs).fold(0.0, f64::max);
     if largest > OF_ANOTHER_UNIT * low.abs().max(high.abs()) {
@@ -289,11 +289,18 @@ fn of_its_unit(settings: impl Iterator<Item = f64>, (axis, model): (&Axis, &Path
 mod tests {
     use super::*;
 
-    #[test]
-    fn a_schedule_may_bear_units() {
+    /// Makes the axis of a valve current from 0 to 1.6 A.
+    fn current() -> Axis {
         let mut axis = Axis::NONE;
         axis.set_grid(&[0.0, 1.6]).unwrap();
+        axis.set_name("current").unwrap();
         axis.set_unit("A").unwrap();
+        axis
+    }
+
+    #[test]
+    fn a_schedule_may_bear_units() {
+        let axis = current();
         let values = |text: &str| Schedule::parse(text).unwrap().values(&axis);
         assert_eq!(values("400mA").unwrap(), [(f64::NEG_INFINITY, 0.4)]);
         assert_eq!(values("0:400mA, 500ms:1.2A,1.5:0").unwrap(), [(0.0, 0.4), (0.5, 1.2), (1.5, 0.0)]);
@@ -337,10 +344,7 @@ mod tests {
 
     #[test]
     fn a_whole_number_in_a_name_is_a_current_where_the_model_reaches_it() {
-        let mut axis = Axis::NONE;
-        axis.set_grid(&[0.0, 1.6]).unwrap();
-        axis.set_name("current").unwrap();
-        axis.set_unit("A").unwrap();
+        let axis = current();
         let source = |name: &str, is_sure: bool, value: f64| {
             let motion = MotionSetting {
                 name: name.to_owned(),
@@ -363,10 +367,7 @@ mod tests {
 
     #[test]
     fn a_setting_in_another_unit_is_rejected_and_one_beyond_the_grid_is_not() {
-        let mut axis = Axis::NONE;
-        axis.set_grid(&[0.0, 1.6]).unwrap();
-        axis.set_name("current").unwrap();
-        axis.set_unit("A").unwrap();
+        let axis = current();
         let of_motion = |value: f64| {
             let motion = MotionSetting {
                 name: "current".to_owned(),

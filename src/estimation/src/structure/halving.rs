@@ -17,7 +17,7 @@ use std::collections::BTreeSet;
 /// fully refitted. A full refit rarely raises the log posterior by more.
 const REACH: f64 = 8.0;
 
-/// Number of effects with the largest rise of the log likelihood that are fully refitted, whatever their log posterior.
+/// Number of forms with the largest rise of the log likelihood that are fully refitted, whatever their log posterior.
 ///
 /// The short refits of the first stages keep the Jacobian, and do not converge for an effect such as a lagging valve, whose force
 /// depends on its parameters in a strongly nonlinear way. Its prior then counts in full, but its likelihood only in part.

@@ -44,8 +44,8 @@ pub fn between(fit: &FamilyFit, words: &Words) -> String {
     // Records with a doubtful setting cause a large error at a left-out setting. Further records do not help then, so
     // the advice is to check the settings.
     let advice = match fit.label_doubts.is_empty() {
-        false => words.family_between_labels.to_owned(),
         true => words.fill(words.family_between_records, &[("at", &at)]),
+        false => words.family_between_labels.to_owned(),
     };
     let text = if worst.is_worse() { words.family_between_worse } else { words.family_between };
     let values = [("at", &*at), ("error", error), ("percent", percent), ("ratio", ratio), ("advice", &advice)];

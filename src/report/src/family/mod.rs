@@ -33,8 +33,10 @@ pub struct FamilyReport<'a> {
 }
 
 impl FamilyReport<'_> {
-    /// Builds warnings about tests whose forces contradict their settings. They belong to the answer, because such tests spoil the model.
-    /// Those of a fit name the tests before the model took their forces up, so they replace those of the validation.
+    /// Builds warnings about tests whose forces contradict their settings. They belong to the answer, because such tests bias the model.
+    ///
+    /// Warnings of a fit replace those of the validation. The fitted model is biased toward the forces of such tests, so its errors show
+    /// them less clearly.
     pub fn doubts(self, validation: &Validation, words: &Words) -> Vec<Block> {
         let unit = self.model.axis.unit();
         let of_fit: Vec<String> =
