@@ -146,22 +146,22 @@ fn slopes(cases: u64, length: usize, seed: u64) -> (u64, u64) {
     (compared, off)
 }
 
-/// Compares derivatives of steps with finite differences, and limits the fraction of failures to 1 in 250.
+/// Compares derivatives of steps with finite differences, and limits the fraction of failures to 1 in 500.
 ///
 /// At a knee of the force, a step returns the derivative of one side or a value between both (step.md of the book). A derivative that fits
 /// neither side is a failure. The book states the fraction of failures (step-evidence.md).
 ///
-/// Cases far from all dampers occur in clusters, so the limit has a margin. Seeds 5, 6 and 7 had 43 failures in 40351 comparisons, 62 in
-/// 41656 and 51 in 41410.
+/// Cases far from all dampers occur in clusters, so the limit has a margin. Seeds 11 to 26 had 315 failures in 648431 comparisons, at most
+/// 38 in one run of 39994.
 #[test]
 fn derivatives_of_steps_are_differences() {
     let (compared, off) = slopes(3000, 60, of_the_code());
-    assert!(compared > 30_000 && 250 * off <= compared, "{off} of {compared}");
+    assert!(compared > 30_000 && 500 * off <= compared, "{off} of {compared}");
 }
 
 #[test]
 #[ignore = "a hundred thousand cases, for the night"]
 fn derivatives_of_many_steps_are_differences() {
     let (compared, off) = slopes(100_000, 60, of_the_clock());
-    assert!(500 * off <= compared, "{off} of {compared}");
+    assert!(1000 * off <= compared, "{off} of {compared}");
 }

@@ -65,6 +65,49 @@ fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -
     (!sides.is_empty()).then(|| Err(format!("{got:.6e}, noise {noise:.1e} of {at:.3e} N, one-sided {sides:?}")))
 }
 
+/// Largest distance, m, of a displacement from the integral of a linear velocity at which the derivatives of `moving_mass` are those of
+/// that velocity (step.md of the book). The kernel compares the displacement of the curvature, which is at most this large.
+const OF_A_LINEAR_VELOCITY: f64 = 1e-9;
+
+/// Returns whether a moving mass acts, and the displacement of a step is within [`OF_A_LINEAR_VELOCITY`] of the integral of a linear
+/// velocity.
+fn is_of_a_linear_velocity(case: &Case, from: &dashpot_state, given: &Given) -> bool {
+    let integral = from.displacement + 0.5 * given.dt * (from.velocity + given.v);
+    case.on.contains(&"moving_mass") && given.x.is_some_and(|x| (x - integral).abs() <= OF_A_LINEAR_VELOCITY)
+}
+
+/// Checks the derivatives that a step with a moving mass has at the integral of a linear velocity ([`is_of_a_linear_velocity`]).
+///
+/// Rounding decides there whether the displacement counts, so a difference over the displacement, or over the velocity alone, has no
+/// limit that a host could use. Along the integral, both derivatives together must agree with the difference. The mass adds nothing to
+/// that over the displacement, which must be that of the damper without the mass.
+fn are_those_of_a_linear_velocity(
+    case: &Case,
+    model: &dashpot_model,
+    from: &dashpot_state,
+    given: &Given,
+    output: &dashpot_output,
+) -> Result<(), String> {
+    let along = output.d_force_d_velocity + 0.5 * given.dt * output.d_force_d_displacement;
+    let force =
+        |h: f64| one_step(model, from, &Given { x: None, v: given.v + h, ..*given }).map(|(_, output)| output.force);
+    is_derivative(along, &force, &WIDTHS[1]).unwrap_or(Ok(()))?;
+    let without = Case {
+        values: case
+            .values
+            .iter()
+            .filter(|(name, _)| *name != "moving_mass")
+            .cloned()
+            .chain([("moving_mass", vec![0.0])])
+            .collect(),
+        ..case.clone()
+    };
+    let Some(model) = prepare(&without) else { return Ok(()) };
+    let force =
+        |h: f64| one_step(&model, from, &Given { x: given.x.map(|x| x + h), ..*given }).map(|(_, output)| output.force);
+    is_derivative(output.d_force_d_displacement, &force, &WIDTHS[0]).unwrap_or(Ok(()))
+}
+
 /// Compares the derivatives over displacement and velocity in a random fraction `share` of the steps of a case. Returns the number of
 /// comparisons and the failures.
 pub fn compare(case: &Case, r: &mut Random, share: f64) -> (u64, Vec<Off>) {
@@ -89,9 +132,15 @@ pub fn compare(case: &Case, r: &mut Random, share: f64) -> (u64, Vec<Off>) {
             } else {
                 None
             };
+            let failed = |found: &Option<Result<(), String>>| found.as_ref().is_some_and(Result::is_err);
+            let stated = (failed(&by_x) || failed(&by_v))
+                && is_of_a_linear_velocity(case, &state, given)
+                && are_those_of_a_linear_velocity(case, &model, &state, given, &output).is_ok();
             for (name, found) in [("dF/dx", by_x), ("dF/dv", by_v)] {
                 count += u64::from(found.is_some());
-                if let Some(Err(what)) = found {
+                if let Some(Err(what)) = found
+                    && !stated
+                {
                     off.push(Off { step, what: format!("{name} {what}, {given:?}") });
                 }
             }

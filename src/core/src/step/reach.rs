@@ -43,7 +43,32 @@ const CURVATURE_WIDTH: f64 = 1e-6;
 /// F_p''(x̂) (x_m − x̂) for the spring force F_p.
 #[inline(never)]
 pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &OperatingPoint, x_m: f64) -> f64 {
-    let derivative = |x: f64| e.inner(&OperatingPoint { displacement: x, ..*at }).d_force_d_x;
+    tangent_by_place(|at| e.inner(at), at, x_m)
+}
+
+/// Computes the derivative, N/m, of the force on the mass in a stage of the force paths with respect to the
+/// displacement of the moving end. It is 0 within the reach of the series spring. Beyond it, the end of the reach moves
+/// with the moving end, and with it the tangent that replaces the force.
+#[inline(always)]
+pub(super) fn tangent_by_driven(
+    e: &Elements<impl Tables>,
+    x_m: f64,
+    velocity: f64,
+    driven: f64,
+    (side_force, temperature): (f64, f64),
+) -> f64 {
+    let displacement = within_reach(x_m, driven);
+    if displacement == x_m {
+        return 0.0;
+    }
+    let at = OperatingPoint { displacement, velocity, side_force, temperature };
+    tangent_by_place(|at| e.on_the_mass(at), &at, x_m)
+}
+
+/// Computes [`line_by_place`] for any force.
+#[inline(always)]
+fn tangent_by_place(force: impl Fn(&OperatingPoint) -> Response, at: &OperatingPoint, x_m: f64) -> f64 {
+    let derivative = |x: f64| force(&OperatingPoint { displacement: x, ..*at }).d_force_d_x;
     let (low, high) = (derivative(at.displacement - CURVATURE_WIDTH), derivative(at.displacement + CURVATURE_WIDTH));
     (high - low) / (2.0 * CURVATURE_WIDTH) * (x_m - at.displacement)
 }

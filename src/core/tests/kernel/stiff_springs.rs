@@ -6,7 +6,7 @@
 use crate::common::METHODS;
 use dashpot_core::step::{Integration, step};
 use dashpot_core::{Input, Model, Params};
-use dashpot_core::{list, number};
+use dashpot_core::{element, list, number};
 use dashpot_test_support::drawn;
 use proptest::prelude::*;
 
@@ -90,4 +90,35 @@ proptest! {
             }
         }
     }
+}
+
+/// Beyond a series deflection of 50 mm, the tangent at the end of this reach replaces a spring on the mass. This end
+/// moves with the moving end, and the derivative contains that. The zone of the damping is far away; it selects the
+/// step through the force paths.
+#[test]
+fn the_end_of_the_reach_moves_with_the_moving_end() {
+    let mut params = Params::new();
+    for (number, value) in [
+        (number!("series_stiffness"), 1e4),
+        (number!("series_load"), 1.0),
+        (number!("gas_force"), 1e3),
+        (number!("spring_linear"), 0.0),
+        (number!("spring_quadratic"), 1e4),
+    ] {
+        params.set(number, value).unwrap();
+    }
+    params.set_list(list!("fv_velocity"), &[-1.0, 0.0, 1.0]).unwrap();
+    params.set_list(list!("fv_force"), &[-50.0, 0.0, 50.0]).unwrap();
+    params.enable(element!("position_dependent_damping"), true);
+    params.set(number!("bypass_centre"), -0.9).unwrap();
+    let model = Model::new(&params).unwrap();
+    let input = |x: f64| Input::motion(x, 0.0);
+    let from = model.steady_state(&input(0.02));
+    let at = |x: f64| step(&model, &from, &input(x), 1e-2).1;
+    let (x, h) = (0.0201, 1e-6);
+    let difference = (at(x + h).force - at(x - h).force) / (2.0 * h);
+    let found = at(x);
+    assert!(found.series_deflection.abs() > 0.06, "{}", found.series_deflection);
+    let error = (found.d_force_d_displacement - difference).abs();
+    assert!(error < 1e-5 * difference.abs(), "{} instead of {difference}", found.d_force_d_displacement);
 }

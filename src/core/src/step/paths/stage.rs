@@ -17,6 +17,7 @@ use crate::paths::hydraulic::{Column, Factors, Moves, Valves};
 use crate::paths::series;
 use crate::paths::solve::{Equation, Found, ITERATIONS, Residual, oil_velocity};
 use crate::paths::{Paths, STATES, place};
+use crate::step::reach::tangent_by_driven;
 use crate::tables::{ForceLaw, Tables};
 use core::cell::Cell;
 
@@ -63,6 +64,9 @@ pub struct PathsStage<'a, T: Tables, const ON: u32> {
     at: StageAtVelocity,
     /// One over the total derivative of the stage equation's residual with respect to the oil velocity.
     per: f64,
+    /// Derivative of the force of the springs on the mass with respect to the displacement of the moving end, N/m: see
+    /// [`tangent_by_driven`].
+    springs_by_driven: f64,
 }
 
 /// Derivatives of the inputs of a stage with respect to one variable (a direction).
@@ -208,6 +212,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             derivative: curve.derivative,
             at,
             per: if by_w != 0.0 { 1.0 / by_w } else { 0.0 },
+            springs_by_driven: 0.0,
         }
     }
 
@@ -220,6 +225,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
     #[inline(always)]
     pub(super) fn evaluate_at_solution(&mut self, elements: &Elements<T>, side: (f64, f64)) {
         let (e, g) = (self.paths, self.g);
+        self.springs_by_driven = tangent_by_driven(elements, self.x_m, self.u, self.path.x, side);
         if !acts::<ON>(e, BUSHING | CAVITATION) && self.on_mass().is_none() {
             return;
         }
@@ -339,7 +345,7 @@ impl<'a, T: Tables, const ON: u32> PathsStage<'a, T, ON> {
             let mut residual =
                 at.resists * u_held + held + (at.inner.d_force_d_x + law.by_deflection) * known[place::X]
                     - (e.series_compliance.mass * per_g) * known[place::U]
-                    - law.by_deflection * seed.x
+                    + (self.springs_by_driven - law.by_deflection) * seed.x
                     - by_rate * seed.v
                     + (seed.drag - seed.series);
             if acts::<ON>(e, BUSHING) {
