@@ -75,7 +75,7 @@ pub fn python_with(packages: &str) -> Option<PathBuf> {
     let environment = target_folder().join(format!("{}-venv", packages.split('=').next().unwrap_or(packages)));
     let (python, done) = (environment.join("bin/python"), environment.join(packages));
     let runs = |command: &mut Command| command.output().is_ok_and(|out| out.status.success());
-    // The pip of the first environment installs into this one, because a pip of its own takes 4 s.
+    // The pip of the environment of `made` installs the packages. Installing pip in a further environment takes 4 s.
     let install = || {
         let Ok(pip) = made() else { return false };
         let mut command = Command::new(pip);

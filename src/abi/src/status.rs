@@ -24,7 +24,7 @@ pub const DASHPOT_OUTSIDE_SETTING: i32 = 4;
 pub const DASHPOT_NULL: i32 = -1;
 /// An address is not aligned for what it points to.
 pub const DASHPOT_MISALIGNED: i32 = -2;
-/// struct_size is not the size of that structure.
+/// The struct_size of a structure is not the size that this library expects.
 pub const DASHPOT_STRUCT_SIZE: i32 = -3;
 /// abi_version is not the interface version of this library.
 pub const DASHPOT_ABI_MISMATCH: i32 = -4;

@@ -193,7 +193,8 @@ const RULES: &[Rule] = &[
         states: &[EyeStiffness],
         design: None,
         formula: |x| x[0],
-        // The series spring of a model without an oil column includes the compliance of the oil.
+        // In a model without an oil column, the series spring also contains the compliance of the oil. It is then
+        // softer than the eyes, so the form error is large.
         form: 2.0,
         shape: Shape::Size,
         source: EYES,

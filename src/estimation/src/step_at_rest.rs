@@ -12,8 +12,8 @@ use dashpot_core::{Params, element, list, number};
 /// if its step is small or has the wrong sign. Small means friction below the fraction `LEAST` of the force at the
 /// slowest speed.
 pub fn read_step(params: &Params) -> Option<Params> {
-    /// Smallest friction that is converted, as a fraction of the force at the slowest speed. If friction is smaller,
-    /// bleed and friction have similar effects, and the curve may stay unchanged.
+    /// Smallest friction that is converted, as a fraction of the force at the slowest speed. A smaller friction cannot
+    /// be distinguished from the effect of a bleed, so the curve stays unchanged.
     const LEAST: f64 = 0.3;
     let (velocity, force) = (params.list(list!("fv_velocity")), params.list(list!("fv_force")));
     let zero = anchor(velocity);

@@ -82,8 +82,8 @@ pub trait Dialogs {
     fn poll(&mut self) -> Option<(Ask, Reply)>;
 }
 
-/// Shortest time after which an empty reply means that the user cancelled. An earlier empty reply counts as [`Reply::NoDialog`]. A desktop
-/// portal that is missing or has no backend fails within this time, and no user cancels so quickly.
+/// Shortest time after which an empty reply means that the user cancelled. On Linux, an earlier empty reply counts as [`Reply::NoDialog`].
+/// A desktop portal that is missing or has no backend fails within this time, and no user cancels so quickly.
 const SHOWN: Duration = Duration::from_millis(800);
 
 thread_local! {

@@ -98,7 +98,8 @@ pub fn property_file(
     remarks.push(followed(own_points, curve.velocities.len() - own_points, &left));
     let mut alone = plain.params;
     alone.enable(element!("gas_preload"), false);
-    // Adams Car uses the force with its derivative, so it needs no remark on chatter. Other programs read property files too.
+    // Adams Car evaluates the force implicitly, so it does not chatter. The remarks are for other programs that read property files and
+    // hold the force over a step.
     let held = "In a program that takes the force once a fixed step and holds it:";
     remarks.extend(chatters(&alone).into_iter().map(|chatter| format!("{held} {chatter}")));
     let named = if named.is_ascii() && !named.is_empty() { named } else { "a model file" };

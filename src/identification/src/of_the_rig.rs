@@ -82,7 +82,7 @@ impl Measured {
         may.then(|| Measured::new(artefact, numbers))
     }
 
-    /// Adds the delay or mass that the user stated to the error that was found in the corrected records.
+    /// Returns the total error: the one found in the corrected records plus the delay or mass that the user stated.
     pub fn with_stated(self, given: &MeasurementError) -> Measured {
         let before = match self.name {
             "delay" => given.delay_s,

@@ -120,7 +120,8 @@ impl<'a> Machine<'a> {
         force
     }
 
-    /// Computes the rate of the mount's force, N/s, and the forces in parallel with the mount, N.
+    /// Computes the rate of the mount's force, N/s, and the forces in parallel with the mount, N. Stores the deflection
+    /// rate of the mount in `here`.
     fn series(&self, here: &mut Here, at: &Instant, y: &[f64]) -> (f64, f64) {
         let mount = &self.plant.mount;
         let own = mount.compliance(y[MOUNT]);

@@ -62,7 +62,7 @@ pub enum ImposeError {
     /// The initial position is not finite, or larger than [`FARTHEST`].
     #[error("the initial position is {} m, which is no position; give -{FARTHEST} to {FARTHEST} m", format_number(*.0))]
     InitialPosition(f64),
-    /// The step is not positive.
+    /// The step is not a positive finite number.
     #[error("the step is {} s; it must be above zero and at most the duration of the motion", format_number(*.0))]
     Step(f64),
     /// The step is longer than the motion.

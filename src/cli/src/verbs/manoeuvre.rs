@@ -130,7 +130,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Returns the model of a file, and the model of its FV curve alone.
+/// Returns the model of a file, and that of the plain curve of [`fv_only`].
 fn pair(path: &Path) -> anyhow::Result<(Model, Model)> {
     let file = model::read(path)?;
     let named = || path.display().to_string();

@@ -23,7 +23,8 @@ use crate::schema::{Describe, Parameter, View};
 /// q_s (1 − y) r(F_h)/r(1 kN), so q_s is that at 1 kN. The law r is that of a passage with laminar flow below F_l (see
 /// [`crate::paths::bypass`]). The filled fraction of the current stroke's chamber is y = |z|. It satisfies τ dz/dt =
 /// tanh(F_h/F_0) (1 − |z|): a higher pressure fills the chamber faster, up to a few F_0. The chamber of the other
-/// stroke empties through a check valve in τ/10. Below a hydraulic force F_h of about F_0/20, both chambers empty.
+/// stroke empties through a check valve in τ/10. Both chambers also empty at the rate 10/(1 + (20 F_h/F_0)²)/τ, because
+/// a low pressure cannot keep them full. At F_h = 0.3 F_0 a chamber stays half full.
 #[derive(Clone, Copy, Debug)]
 pub struct FrequencySelectiveDamping {
     is_stroke: bool,
@@ -117,7 +118,7 @@ impl Prepare for FrequencySelectiveDamping {
 
 /// Ratio of the rate at which the chamber of the other stroke empties to the largest rate at which a chamber fills.
 const EMPTIES: f64 = 10.0;
-/// Hydraulic force, as a fraction of `fsd_force`, below which the pressure cannot keep a control chamber full.
+/// Hydraulic force, as a fraction of `fsd_force`, at which a control chamber empties at half the largest rate.
 const IDLE: f64 = 0.05;
 
 impl FrequencySelectiveDamping {

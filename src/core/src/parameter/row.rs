@@ -54,7 +54,8 @@ pub fn table() -> impl Iterator<Item = Row> {
     Rows { index: 0, group: 0, local: 0, slot: 0 }
 }
 
-/// Iterator of [`table`]: the next row and its index in its group.
+/// Iterator of [`table`]. The fields describe the next row: its index in the table, its group, its index in the group,
+/// and the slot of its first value.
 struct Rows {
     index: usize,
     group: usize,

@@ -21,8 +21,8 @@ pub(crate) fn is_sharp(e: &Paths<impl Tables>) -> bool {
 /// Nonlinearity that the elements of the force paths cause within a step, in ascending order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Nonlinearity {
-    /// Little: no element besides the FV curve and the series compliance, or a fade of the FV curve. Also a bypass flow
-    /// or a lagging valve in the opening form, which smooths its own knee.
+    /// Little: only the FV curve and the series compliance, with or without fade. A bypass flow counts as little, too.
+    /// So does a lagging valve whose state is its opening, because the lag smooths the knee of the valve.
     Little,
     /// A bushing alone.
     Smoothly,

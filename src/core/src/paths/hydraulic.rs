@@ -345,8 +345,9 @@ impl Column {
     /// The three equations apply to a column of constant length, to one chamber of variable length, and to two chambers
     /// of variable length. q is the deflection, s the absorbed part of the piston stroke, and ℓ the relative length of
     /// the column. Q and S are the known parts of q and s. The last equation is the stage of ds/dt = u − w + v ∂s/∂x,
-    /// where v is the velocity of the moving end, dx/dt. The last term is discretized as s(x) − s(X), where the moving
-    /// end goes `from` X to x.
+    /// where v is the velocity of the moving end, dx/dt. In the stage, the moving end goes from X, the argument `from`,
+    /// to x. The term v ∂s/∂x is discretized as s(x, q) − s(X, q). The equation therefore contains s(X, q), and the new
+    /// state is s(x, q).
     #[inline(always)]
     pub fn stage<const ON: u32>(e: &Paths<impl Tables>, force: f64, [from, x]: [f64; 2], known: f64) -> Column {
         let (air, compliance) = column(e, force);

@@ -6,10 +6,10 @@ use dashpot_core::step::{Integration, Method};
 use dashpot_core::{Model, Params};
 use dashpot_core::{list, number};
 
-/// Makes a model with smooth elements of both force paths.
+/// Makes a model with smooth elements in the series path and in the hydraulic path ([`dashpot_core::paths`]).
 ///
-/// In a stage, the damping uses the known part of the oil temperature instead of the final one. The resulting error is
-/// of first order but far below the other errors.
+/// A stage computes the damping from the oil temperature before the stage's own heat. The resulting error is of first
+/// order but far below the other errors.
 fn smooth_paths() -> Model {
     let mut params = smooth_params();
     for element in ["bushing", "oil_compressibility", "frequency_selective_damping", "temperature_fade"] {

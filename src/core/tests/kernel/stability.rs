@@ -29,7 +29,8 @@ fn run(
     for (x, v) in motion {
         let input = if velocity_only { Input::velocity(*v) } else { Input::motion(*x, *v) };
         let (next, output) = step(&model, &state, &input, dt);
-        // This increment is an upper bound for the length of the moving end's path in the step, a cubic.
+        // In a step, the displacement of the moving end is a cubic in time. This increment is an upper bound for the
+        // length of its path.
         length += (next.displacement - state.displacement).abs() + dt * (next.velocity.abs() + state.velocity.abs());
         state = next;
         prop_assert!(state.is_finite() && output.force.is_finite(), "not finite: {}", describe(params));

@@ -348,8 +348,8 @@ impl<'a> ActuatorProblem<'a> {
         self.refit_with(start, effort, [LEVEL_SPREAD, MOST_BETWEEN])
     }
 
-    /// Refits the parameters without errors of the force between the settings. Returns `None` if the model gives no
-    /// finite force.
+    /// Refits the parameters with the force errors between grid settings held near zero. Those at the settings stay
+    /// free. Returns `None` if the model gives no finite force.
     pub fn refit_without_errors_between(&self, start: &[f64], effort: (usize, f64)) -> Option<ActuatorRefit> {
         let mut from = start.to_vec();
         from.iter_mut().skip(self.numbers.len() + 2 * self.grid().len()).for_each(|error| *error = 0.0);
@@ -414,7 +414,7 @@ impl<'a> ActuatorProblem<'a> {
         [spread_of_levels, most_between]: [f64; 2],
     ) -> Option<ActuatorRefit> {
         let gaps = self.context.gap_spreads.iter().map(|spread| restrict(*spread, HELD_SPREAD, most_between));
-        // Each direction has its own errors between settings.
+        // Rebound and compression have separate force errors between settings, so each standard deviation occurs twice.
         let spreads: Vec<f64> =
             std::iter::repeat_n(spread_of_levels, 2 * self.grid().len()).chain(gaps.clone()).chain(gaps).collect();
         // An error of the family's force is equal at all samples of a command step, but the sum of squares counts every

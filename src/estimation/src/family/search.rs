@@ -23,8 +23,7 @@ use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// Smallest rise of the log posterior at which the search makes a move.
 const RISE: f64 = 0.5;
-/// Largest deficit of the predicted log posterior, relative to the current one, at which a predicted family is
-/// refitted.
+/// Largest deficit of a family's predicted log posterior, relative to the current one, at which the family is refitted.
 const PREDICTED: f64 = 3.0;
 /// Largest number of predicted families that are refitted in each iteration.
 const REFITTED: usize = 3;

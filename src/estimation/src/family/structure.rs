@@ -69,7 +69,7 @@ fn relief(hypothesis: &FamilyHypothesis, per_number: f64) -> f64 {
 }
 
 impl FamilyStructure {
-    /// Fits a family from its start. Returns `None` if the family gives no finite force.
+    /// Refits a family from the start values of its hypothesis. Returns `None` if the family gives no finite force.
     pub fn fit(
         hypothesis: FamilyHypothesis,
         components: Vec<Component>,

@@ -110,7 +110,7 @@ mod tests {
 
     const COUNT: usize = 100;
 
-    /// Makes the test of a cycle with an amplitude of 1 mm that starts at an arbitrary phase, with the initial lead-in.
+    /// Makes a test of one sine cycle of 1 mm, which starts at 7 % of its period. The lead-in has its initial length.
     fn cycle(frequency: f64) -> Test {
         let dt = 1.0 / (frequency * COUNT as f64);
         let input = |k: usize| {

@@ -6,7 +6,7 @@ use crate::measurement::{Artefact, Load};
 
 /// Possible resonance frequencies of the force path, Hz.
 const RESONATES: [u32; 5] = [10, 15, 22, 33, 50];
-/// Force ranges over which the hysteresis of a load cell changes its sign after a reversal, N.
+/// Changes of force after a reversal over which the hysteresis of a load cell changes its sign, N.
 const TURNS_OVER: [u32; 3] = [50, 150, 400];
 
 /// Makes the candidate for an unnamed measurement error. `artefacts` are its parameters, and `start` contains their

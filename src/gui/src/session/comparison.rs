@@ -42,7 +42,7 @@ impl Session {
 }
 
 impl Comparison {
-    /// Returns the adjustable damper if all forces come from it. Returns `None` for an ordinary damper, and if values are tuned.
+    /// Returns the adjustable damper if each test was simulated at its own setting with values that nobody tuned. Returns `None` otherwise.
     pub fn family(&self) -> Option<&ModelFile> {
         let (whole, at) = self.family.as_ref()?;
         (whole.definition().params_at(*at) == self.file.params).then_some(whole)

@@ -65,7 +65,8 @@ fn nothing_of_a_panel_is_cut_off_and_choices_are_words() {
     }
 }
 
-/// Returns texts of the last frame that are cut off by the panel of the tests, or that break within a word in any panel.
+/// Returns the texts of the last frame that are cut off at the edge of the panel that lists the rig tests. Also returns texts of any panel
+/// with a line break within a word.
 pub(super) fn spoilt(harness: &Harness<'_, App>) -> Vec<String> {
     /// Largest right edge of a text in the panel of the tests, px.
     const PANEL: f32 = 275.0;

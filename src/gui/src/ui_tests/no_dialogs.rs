@@ -1,4 +1,4 @@
-//! Tests of the window on a system that shows no dialogs: neither a desktop portal nor zenity.
+//! Tests of the window on a system that shows no dialogs, because it has neither a desktop portal nor zenity.
 
 use super::made_up::window_with;
 use super::*;

@@ -90,7 +90,7 @@ fn setting(ui: &mut Ui, session: &mut Session, w: &Words) {
     }
 }
 
-/// Shows the mean error of the current model and of the identified model.
+/// Shows the mean error of the current model and of the model before tuning.
 fn errors(ui: &mut Ui, session: &Session, w: &Words) {
     let mean = |s: &crate::session::simulation::Simulated| {
         s.tests.iter().map(|t| t.percent).sum::<f64>() / s.tests.len().max(1) as f64

@@ -193,7 +193,8 @@ fn hold_effect_of_interpolation(known: &mut [Estimate], without: &[Estimate]) {
     for estimate in known {
         let Some(other) = without.iter().find(|other| other.name == estimate.name) else { continue };
         let effect = (other.value - estimate.value).abs();
-        // Times and widths of a hysteresis are not negative, so both ends are restricted to the bounds of the number.
+        // Time constants and widths of the hysteresis are not negative. Both ends of the interval are therefore restricted to the bounds of
+        // the parameter.
         let end = |moved: f64| within_bounds(estimate.name, estimate.value + moved);
         estimate.widen([end(-effect), end(effect)]);
     }

@@ -20,7 +20,7 @@ pub const BETWEEN: f64 = 2.0;
 /// Largest relative difference of two amplitudes at which they count as the same stroke.
 const SAME_STROKE: f64 = 0.1;
 
-/// Peak force and peak velocity of one stroke of a test.
+/// Force at peak velocity of one stroke of a test.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Point {
     /// Name of the test.

@@ -139,8 +139,8 @@ fn between(rests: &[Range<usize>], samples: usize) -> Vec<Range<usize>> {
 /// Measures the motion in a range of samples. Returns `None` if the range of the motion is at most `still`, m, the
 /// largest range of a standstill.
 fn moves(time: &[f64], x: &[f64], span: Range<usize>, still: f64) -> Option<Moves> {
-    // The search for standstills works piece by piece. Still samples at the ends of a motion belong to the standstills,
-    // except for a small margin.
+    // The search for standstills divides the record into blocks, so a range of motion may begin and end with still
+    // samples. These are removed, except for a margin.
     let stands = |at: f64| move |i: &usize| (x[*i] - at).abs() <= still;
     let from = span.clone().find(|i| !stands(x[span.start])(i))?;
     let to = span.clone().rev().find(|i| !stands(x[span.end - 1])(i))? + 1;

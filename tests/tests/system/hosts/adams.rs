@@ -311,8 +311,8 @@ fn a_linearisation_is_not_locked_by_stuck_friction() {
         let damping = (force(x, 1e-6) - force(x, -1e-6)) / 2e-6;
         for matrix in matrices(7) {
             let values: Vec<_> = matrix.complex_eigenvalues().iter().copied().collect();
-            // The expected values are the eigenvalues of the mass on this spring and a damper with the kernel's
-            // derivatives.
+            // The expected eigenvalues are those of a mass with `stiffness` and `damping`. The damper's part of both is the derivative of
+            // the kernel's static force.
             let (half, rest) = (-0.5 * damping / MASS, stiffness / MASS - (0.5 * damping / MASS).powi(2));
             let wanted: Vec<(f64, f64)> = if rest > 0.0 {
                 vec![(half, rest.sqrt()), (half, -rest.sqrt())]

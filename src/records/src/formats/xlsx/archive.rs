@@ -6,8 +6,8 @@ use crate::source::{Budget, Exhausted};
 
 /// Total unpacked size of a workbook's parts that is always allowed, bytes.
 ///
-/// [`LARGEST_STRINGS`], or the file size if larger, is the limit of the part with the strings. It is lower, because the
-/// strings need several times their size in memory.
+/// The part with the strings has a lower limit: [`LARGEST_STRINGS`] or the file size, whichever is larger. In memory,
+/// strings need several times their unpacked size.
 const LARGEST_UNPACKED: u64 = 256 << 20;
 const LARGEST_STRINGS: u64 = 48 << 20;
 /// Allowed ratio of a workbook's unpacked size to its file size, if the result exceeds [`LARGEST_UNPACKED`]. For sheets
