@@ -25,6 +25,7 @@ use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
 use dashpot_estimation::structure::alternatives::{Alternative, alternatives};
+use dashpot_estimation::structure::component::Component;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
 use dashpot_estimation::structure::inventory::{InventoryItem, inventory};
 use dashpot_estimation::structure::search::{StructureSearch, Temperatures};
@@ -507,6 +508,7 @@ fn fit_thesis(
     let of =
         |other: &Alternative| (other.weight, estimates(&other.structure.hypothesis, &other.structure.refit, tests));
     mix(&mut found.estimates, &others.iter().map(of).collect::<Vec<_>>());
+    found.notes.extend(doubtful_errors(&best.components, &probability));
     found.inventory = inventory;
     // The note also applies if the best structure has no series path, because a leading force channel can cancel the phase of a series
     // path.
@@ -528,6 +530,18 @@ fn fit_thesis(
         found.leave_out(number!("viscous_coefficient"), phrases::TAKEN_UP);
     }
     Ok(found)
+}
+
+/// Returns notes on the measurement errors of a structure that are more improbable than probable. The most probable structure can contain
+/// such an error, because the probability is a sum over all structures with tempered weights.
+fn doubtful_errors(components: &[Component], probability: &impl Fn(&str) -> f64) -> Vec<Sentence> {
+    let is_error = |component: &&Component| component.frees.iter().any(|free| matches!(free, Free::Rig(_)));
+    let is_doubtful = |component: &&Component| probability(component.effect) < 0.5;
+    let note = |component: &Component| {
+        let percent = format!("{:.0} %", 100.0 * probability(component.effect));
+        Sentence::from(phrases::DOUBTFUL_ERROR).with("effect", component.effect).with("probability", percent)
+    };
+    components.iter().filter(is_error).filter(is_doubtful).map(note).collect()
 }
 
 /// Returns whether the damper has a compliance, whose phase resembles that of a delay of the force channel.
@@ -691,6 +705,23 @@ pub(crate) fn coverage_notes(segments: &[Segment], params: &Params) -> Vec<Sente
 mod tests {
     use super::*;
     use std::f64::consts::TAU;
+
+    #[test]
+    fn a_measurement_error_that_is_hardly_probable_is_said_to_be_doubtful() {
+        let component = |effect: &'static str, frees: Vec<Free>| Component {
+            effect,
+            form: "",
+            elements: Vec::new(),
+            fixed: Vec::new(),
+            frees,
+            numbers: 1.0,
+        };
+        let both = [component("gas_spring", Vec::new()), component("channel_delay", vec![Free::Rig(Artefact::Delay)])];
+        let told = |probability: f64| doubtful_errors(&both, &|_: &str| probability);
+        assert!(told(0.6).is_empty());
+        let [note] = &told(0.11)[..] else { panic!("one note is expected") };
+        assert!(note.to_string().starts_with("channel_delay has a probability of 11 % only"), "{note}");
+    }
 
     #[test]
     fn a_campaign_of_thousands_says_how_many_tests_stand_for_all() {

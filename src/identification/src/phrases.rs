@@ -46,6 +46,7 @@ dashpot_messages::phrases! {
     OR_WARM_GAS: "no temperature was recorded in all tests: gas that warms through a campaign lets the force at rest fall as well. The temperature tells the two apart";
     GAS_AT: "gas_force is that at {temperature} °C, the middle of the temperatures that were measured; by gas_warming_rate it grows with them";
     TAKEN_OUT_HERE: "{finding}: taken out here, not in the model; validate and diagnose take it out of these records too{option}";
+    DOUBTFUL_ERROR: "{effect} has a probability of {probability} only: an effect of the damper that a fit does not try, such as air in the oil, may look like it. dashpot diagnose tries all effects";
     GIVE_OPTION: "; for other records of this rig give {option}, or write it into their campaign.toml";
     TAKEN_OUT_AS_THE_FIT_DID: "taken out of the records, as the model's fit did: {findings}";
     FOUND_IN_ITS_OWN: "the model's fit found in its own records that {findings}; these are other records, and nothing was taken out of them{option}";

@@ -10,7 +10,7 @@ use crate::work;
 use dashpot_core::family;
 use dashpot_identification::FitOptions;
 use dashpot_identification::family::{FamilyFigures, fit_family as fit};
-use dashpot_identification::limits::{SettingsFigures, judge_over_settings};
+use dashpot_identification::limits::{SettingsFigures, judge_over_settings, restate_settings_of_limits};
 use dashpot_identification::model_file::{self, ModelFile};
 use dashpot_identification::setting_units::restate_settings;
 use dashpot_messages::format_number;
@@ -126,8 +126,11 @@ impl Family {
         limits: Option<Vec<limits::Row>>,
     ) -> PyResult<(String, Vec<Forces<'py>>, Campaign, Vec<String>)> {
         check_settings("setting", &given)?;
-        let windows = limits.map(limits::of_rows).transpose()?;
         let file = &self.file;
+        let mut windows = limits.map(limits::of_rows).transpose()?;
+        if let Some(windows) = &mut windows {
+            restate_settings_of_limits(windows, file.axis.unit()).map_err(raise::<ValidationError>)?;
+        }
         let done = work::run(py, progress, |progress| -> anyhow::Result<_> {
             let say = |done: usize, total: usize| progress.say(done as f64 / total.max(1) as f64, "simulating");
             let mut read = campaign.read.clone();

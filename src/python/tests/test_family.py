@@ -97,6 +97,9 @@ def test_fit_and_validation_are_those_of_the_command(command: Command) -> None:
     hard = dashpot.Limit("force", 0.5, 0.0, 1e5, setting=1.6)
     judged = family.validate(campaign, limits=[hard])
     assert judged.limits.passed and judged.limits.to_dict()["limits"][0]["setting"] == 1.6
+    unit = family.unit
+    low = family.validate(campaign, limits=[dashpot.Limit("force", 0.5, 0.0, 1.0, setting=1.6)])
+    assert unit and f"at setting 1.6 {unit}: " in low.limits.missed[0]
     with pytest.raises(dashpot.ValidationError, match="setting"):
         family.validate(campaign, limits=[dashpot.Limit("force", 0.5, 0.0, 1e5)])
     with pytest.raises(dashpot.ValidationError, match="setting"):

@@ -1627,6 +1627,7 @@ identification-found-gain-drift = die Verstärkung des Kraftkanals wandert um { 
 identification-found-drift = der Nullpunkt des Kraftkanals wandert um { $value } N je Minute (95 %: { $low } bis { $high })
 identification-or-warm-gas = nicht in allen Versuchen wurde eine Temperatur aufgezeichnet: Gas, das sich während der Messreihe erwärmt, lässt die Kraft in Ruhe ebenso fallen. Die Temperatur trennt beides
 identification-gas-at = gas_force gilt bei { $temperature } °C, der Mitte der gemessenen Temperaturen; mit gas_warming_rate wächst sie mit ihnen
+identification-doubtful-error = { $effect } hat nur eine Wahrscheinlichkeit von { $probability }: Ein Effekt des Dämpfers, den eine Anpassung nicht versucht, etwa Luft im Öl, kann so aussehen. dashpot diagnose versucht alle Effekte
 identification-taken-out-here = { $finding }: hier herausgerechnet, nicht im Modell; validate und diagnose rechnen es aus diesen Messungen ebenfalls heraus{ $option }
 identification-give-option = ; für andere Messungen dieses Prüfstands { $option } angeben oder in ihre campaign.toml schreiben
 identification-taken-out-as-the-fit-did = aus den Messungen herausgerechnet, wie bei der Identifikation des Modells: { $findings }

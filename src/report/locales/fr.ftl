@@ -1672,6 +1672,7 @@ identification-found-gain-drift = le gain de la voie d’effort dérive de { $va
 identification-found-drift = le zéro de la voie d’effort dérive de { $value } N par minute (95 % : { $low } à { $high })
 identification-or-warm-gas = aucune température n’a été enregistrée dans tous les essais : un gaz qui chauffe au fil de la campagne fait aussi baisser l’effort au repos. La température les distingue
 identification-gas-at = gas_force vaut à { $temperature } °C, milieu des températures mesurées ; avec gas_warming_rate il croît avec elles
+identification-doubtful-error = { $effect } n’a qu’une probabilité de { $probability } : un effet de l’amortisseur que l’ajustement n’essaie pas, comme de l’air dans l’huile, peut lui ressembler. dashpot diagnose essaie tous les effets
 identification-taken-out-here = { $finding } : retiré ici, absent du modèle ; validate et diagnose le retirent aussi de ces mesures{ $option }
 identification-give-option = { " " }; pour d’autres mesures de ce banc, donner { $option }, ou l’écrire dans leur campaign.toml
 identification-taken-out-as-the-fit-did = retiré des mesures, comme l’a fait l’identification du modèle : { $findings }

@@ -1420,6 +1420,7 @@ identification-found-gain-drift = 力通道的增益每分钟漂移 { $value } %
 identification-found-drift = 力通道的零点每分钟漂移 { $value } N（95 %：{ $low } 至 { $high }）
 identification-or-warm-gas = 并非所有试验都记录了温度：气体在测试过程中升温同样会使静止力下降。温度可以区分二者
 identification-gas-at = gas_force 为 { $temperature } °C（实测温度范围的中点）时的值；按 gas_warming_rate 随温度增大
+identification-doubtful-error = { $effect }的概率仅为 { $probability }：拟合未尝试的减振器效应（例如油中的空气）可能与之相似。dashpot diagnose 会尝试所有效应
 identification-taken-out-here = { $finding }：此处已去除，不在模型中；validate 和 diagnose 也会从这些记录中去除{ $option }
 identification-give-option = ；对该试验台的其他记录请给出 { $option }，或写入其 campaign.toml
 identification-taken-out-as-the-fit-did = 已按模型辨识时的做法从记录中去除：{ $findings }

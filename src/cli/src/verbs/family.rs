@@ -111,12 +111,7 @@ fn write_report(
     validation.unusable.clone_from(&campaign.unusable);
     let is_unused = |record: &&Record| !found.tests.contains(&record.name);
     let unused: Vec<&str> = campaign.records.iter().filter(is_unused).map(|record| record.name.as_str()).collect();
-    let with = match unused.len() {
-        0 => String::new(),
-        count @ 1..=NAMED => format!(", with {} that the fit did not use: {}", count_tests(count), unused.join(", ")),
-        count => format!(", with {} that the fit did not use", count_tests(count)),
-    };
-    say(&format!("over whole records{with}:\n{}", settings_table(model, &validation)))?;
+    say(&format!("over whole records{}:\n{}", unused_tests(&unused), settings_table(model, &validation)))?;
     let mut input = ReportInput {
         print: Print::Brief,
         made: page.date.made(campaign.files.iter().cloned())?,
@@ -129,6 +124,15 @@ fn write_report(
     input.curve.clear();
     dashpot_report::write_atomic(&input, path)?;
     say(&format!("report: {}", path.display()))
+}
+
+/// Describes the tests that the fit did not use, for the heading of a table that contains them.
+fn unused_tests(names: &[&str]) -> String {
+    match names.len() {
+        0 => String::new(),
+        count @ 1..=NAMED => format!(", with {} that the fit did not use: {}", count_tests(count), names.join(", ")),
+        count => format!(", with {} that the fit did not use", count_tests(count)),
+    }
 }
 
 /// Formats the result of the fit: effects, dependences on the setting, parameters, actuator, and errors at each
@@ -232,4 +236,16 @@ fn format_errors(axis: &SettingAxis, settings: &[SettingReport]) -> String {
         );
     }
     out
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tests_that_the_fit_did_not_use_are_named_if_they_are_few() {
+        assert_eq!(unused_tests(&[]), "");
+        assert_eq!(unused_tests(&["walk"]), ", with 1 test that the fit did not use: walk");
+        assert_eq!(unused_tests(&["walk"; NAMED + 1]), ", with 7 tests that the fit did not use");
+    }
 }

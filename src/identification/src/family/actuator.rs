@@ -334,3 +334,36 @@ pub fn notes(fit: &ActuatorFit, name: &str, axis: &Axis) -> Vec<Sentence> {
     }
     notes
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn fitted(high: f64) -> ActuatorFit {
+        let time = Estimate {
+            name: "lag_up",
+            index: None,
+            value: 8e-3,
+            low: Some(6e-3),
+            high: Some(high),
+            unit: "s",
+            from: Sentence::from(phrases::COMMA),
+            standing: Standing::Identified,
+        };
+        ActuatorFit { estimates: vec![time], parts: Vec::new(), tests: vec![String::from("steps")] }
+    }
+
+    #[test]
+    fn a_time_with_a_wide_interval_comes_with_the_tests_that_narrow_it() {
+        let mut axis = Axis::NONE;
+        axis.set_grid(&[0.0, 0.6, 1.2]).unwrap();
+        let told = |high: f64| notes(&fitted(high), "current", &axis);
+        assert!(told(9e-3).is_empty());
+        let [note] = &told(22e-3)[..] else { panic!("one note is expected") };
+        let text = note.to_string();
+        assert!(
+            text.contains("lag_up uncertain by more than 10 ms") && text.contains("Add steps of the current"),
+            "{text}"
+        );
+    }
+}

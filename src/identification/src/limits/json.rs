@@ -31,7 +31,7 @@ impl Serialize for Figure<'_> {
 
 impl Serialize for Checked {
     fn serialize<S: Serializer>(&self, to: S) -> Result<S::Ok, S::Error> {
-        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, line, .. } = &self.limit;
+        let Limit { name, quantity, velocity_m_s, amplitude_m, low, high, setting, setting_unit, line } = &self.limit;
         let [low_key, high_key, key] = quantity.keys();
         let figure = |of| Figure { key, of };
         let mut map = to.serialize_map(None)?;
@@ -43,6 +43,9 @@ impl Serialize for Checked {
         map.serialize_entry(high_key, high)?;
         if let Some(setting) = setting {
             map.serialize_entry("setting", setting)?;
+            if !setting_unit.is_empty() {
+                map.serialize_entry("setting_unit", setting_unit)?;
+            }
         }
         map.serialize_entry("line", line)?;
         map.serialize_entry("measured", &self.measured.as_ref().map(figure))?;

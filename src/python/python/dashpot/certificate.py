@@ -34,7 +34,7 @@ _TIMES = ("response_time_up", "response_time_down", "rise_time_up", "rise_time_d
 def missed(said: Mapping[str, Any], unit_of_setting: str = "", settings: Sequence[float] | None = None) -> str | None:
     """Describes why a limit is not passed, from the dictionary of a :class:`Checked`: it is violated or was not tested. None for a pass.
 
-    :param unit_of_setting: unit of the setting of a limit.
+    :param unit_of_setting: unit of the setting of a limit that states none.
     :param settings: settings at which the damper was measured, if they are known.
     """
     if said["verdict"] == "pass":
@@ -46,7 +46,7 @@ def missed(said: Mapping[str, Any], unit_of_setting: str = "", settings: Sequenc
         words = f"{name}, {words}"
     setting = said.get("setting")
     if setting is not None:
-        words = f"{words} at setting {setting:g} {unit_of_setting}".rstrip()
+        words = f"{words} at setting {setting:g} {said.get('setting_unit') or unit_of_setting}".rstrip()
     if said["measured"] is None and quantity in _TIMES:
         return f"{words}: not tested, there is no such step of the setting"
     if said["measured"] is None and setting is not None and settings is not None:
@@ -81,6 +81,8 @@ class Checked(Result):
     model_verdict: str | None
     setting: float | None = field(default=None, metadata={"omitted": True})
     """Setting at which the limit applies, for a damper that depends on a setting."""
+    setting_unit: str | None = field(default=None, metadata={"omitted": True})
+    """Unit of the setting, if the damper states one."""
     low_n: float | None = None
     """Smallest allowed force, N; None for a time, or without a lower limit."""
     high_n: float | None = None

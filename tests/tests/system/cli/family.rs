@@ -164,7 +164,11 @@ fn a_campaign_without_a_setting_is_refused_and_a_profile_gives_one() {
 
 /// Writes the family of [`damper`] as a model file.
 fn write_model(path: &Path) {
-    std::fs::write(path, dashpot_identification::model_file::flat_family(&damper(), |_| String::new())).unwrap();
+    write_definition(path, &damper());
+}
+
+fn write_definition(path: &Path, damper: &Definition) {
+    std::fs::write(path, dashpot_identification::model_file::flat_family(damper, |_| String::new())).unwrap();
 }
 
 #[test]
@@ -328,7 +332,9 @@ fn limits_hold_at_the_setting_that_they_name() {
     for current in CURRENTS {
         write(&dir.join("rig"), current, &format!("_{current}A"));
     }
-    write_model(&dir.join("family.toml"));
+    let mut in_ampere = damper();
+    in_ampere.axis.set_unit("A").unwrap();
+    write_definition(&dir.join("family.toml"), &in_ampere);
     let v = 0.02 * std::f64::consts::TAU * 4.0;
     let force = |current: f64| {
         let at = dashpot_core::Model::new(&damper().params_at(current)).unwrap();
@@ -352,6 +358,7 @@ fn limits_hold_at_the_setting_that_they_name() {
     assert_eq!(kept.code, Some(0), "{kept:?}");
     let found = json(&dir.join("v.json"));
     assert_eq!(found["limits"]["limits"][1]["setting"], 1.2);
+    assert_eq!(found["limits"]["limits"][1]["setting_unit"], "A");
     assert_eq!(found["limits"]["limits"][1]["measured"]["tests"][0], "20mm_4Hz_1.2A");
     assert!(std::fs::read_to_string(dir.join("c.html")).unwrap().contains("setting 1.2"));
     assert_eq!(judge("missed.csv", "family.toml").code, Some(1));
