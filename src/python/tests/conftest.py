@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import os
+import re
 import subprocess
+import zipfile
 from pathlib import Path
 from typing import Any
 
@@ -35,6 +37,14 @@ class Command:
     def json(self, name: str) -> Any:
         """Reads a JSON file of the command. Options in its messages are replaced by arguments of the package."""
         return loads((self.folder / name).read_text())
+
+
+def content(path: Path) -> Any:
+    """Returns the content of a report or workbook without its command, which names the files that the command wrote."""
+    if path.suffix != ".xlsx":
+        return re.sub(rb"dashpot (fit|validate|diagnose) [^<]*<", b"<", path.read_bytes())
+    with zipfile.ZipFile(path) as book:
+        return {name: re.sub(rb"dashpot (fit|validate|diagnose) [^<]*<", b"<", book.read(name)) for name in book.namelist()}
 
 
 @pytest.fixture(scope="session")

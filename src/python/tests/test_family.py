@@ -121,11 +121,11 @@ def test_fit_and_validation_are_those_of_the_command(command: Command) -> None:
 
 
 def test_dimensions_are_those_of_the_command(command: Command) -> None:
-    write_records(command.folder / "semi_active", dashpot.Family.read(FILE), [0.0, 1.6])
+    write_records(command.folder / "drawn", dashpot.Family.read(FILE), [0.0, 1.6])
     drawing = command.folder / "dimensions.toml"
     drawing.write_text("rod_mm = 11\ngas_pressure_bar = 9\n")
-    command("fit", "semi_active", "--setting", "current", "--dimensions", "dimensions.toml", "-o", "family.toml")
-    campaign = dashpot.Campaign.read(command.folder / "semi_active")
+    command("fit", "drawn", "--setting", "current", "--dimensions", "dimensions.toml", "-o", "family.toml")
+    campaign = dashpot.Campaign.read(command.folder / "drawn")
     family = dashpot.fit(campaign, setting="current", dimensions=drawing)
     assert family.text == (command.folder / "family.toml").read_text() and any("gas_pressure_bar" in note for note in family.fit.notes)
     command("explain", "family.toml", "--dimensions", "dimensions.toml", "--setting", "0.8", "--json", "explained.json")
@@ -138,10 +138,10 @@ def test_dimensions_are_those_of_the_command(command: Command) -> None:
         dashpot.explain(family, drawing, setting=2.0)
     with pytest.raises(TypeError, match="depends on none"):
         dashpot.explain(family.at(0.8), drawing, setting=0.8)
-    command("fit", "semi_active", "--hold-out", "*_1.6A", "--dimensions", "dimensions.toml", "-o", "soft.toml")
+    command("fit", "drawn", "--hold-out", "*_1.6A", "--dimensions", "dimensions.toml", "-o", "soft.toml")
     soft = dashpot.fit(campaign, hold_out=["*_1.6A"], dimensions=drawing)
     assert soft.text == (command.folder / "soft.toml").read_text()
-    command("diagnose", "soft.toml", "semi_active", "--max-effects", "1", "--candidates", "aeration", "--dimensions", "dimensions.toml", "--json", "found.json")
+    command("diagnose", "soft.toml", "drawn", "--max-effects", "1", "--candidates", "aeration", "--dimensions", "dimensions.toml", "--json", "found.json")
     found = dashpot.diagnose(soft, campaign, max_effects=1, candidates=["aeration"], dimensions=drawing)
     assert found.to_dict() == command.json("found.json")
     with pytest.raises(dashpot.DimensionsError, match="absent.toml"):

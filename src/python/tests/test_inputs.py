@@ -106,7 +106,7 @@ def test_paths_and_results_in_each_others_place_are_told_apart(own: dashpot.Camp
         with pytest.raises(TypeError, match=r"is a dashpot.Campaign, not a .*; dashpot.Campaign.read\(path\) reads one"):
             call()
     with pytest.raises(TypeError, match=r"model is a dashpot.Model, not a Campaign"):
-        dashpot.diagnose(own, model)  # type: ignore[arg-type]
+        dashpot.diagnose(own, model)  # type: ignore[call-overload]
     for path in (None, b"campaign", 3, [3]):
         with pytest.raises(TypeError, match="path is a file or folder"):
             dashpot.Campaign.read(path)  # type: ignore[arg-type]

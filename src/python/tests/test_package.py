@@ -152,8 +152,8 @@ def test_nothing_that_a_result_holds_is_missing_in_its_tables_and_its_view(own: 
     validation = model.validate(campaign, limits=limits)
     rivalled = model.validate(own, against=["fv", "dahl"])
     few = {"candidates": ["free_play", "moving_mass", "gas_spring"]}
-    alone = dashpot.diagnose(model, campaign, **few)  # type: ignore[arg-type]
-    compared = dashpot.diagnose(model, campaign, own, **few)  # type: ignore[arg-type]
+    alone = dashpot.diagnose(model, campaign, **few)  # type: ignore[call-overload]
+    compared = dashpot.diagnose(model, campaign, own, **few)  # type: ignore[call-overload]
     assert compared.changes and not compared.findings
     certificate = validation.limits
     assert dashpot.JudgedValidation.from_dict(validation.to_dict()) == validation
@@ -223,14 +223,14 @@ def test_a_campaign_and_a_reference_that_were_read_in_opposite_directions_are_to
     assert (own.sign.positive, turned.sign.positive) == ("rebound", "compression")
     model = dashpot.fit(own, family="fv")
     few = {"candidates": ["free_play"], "max_effects": 0}
-    found = dashpot.diagnose(model, turned, own, **few)  # type: ignore[arg-type]
+    found = dashpot.diagnose(model, turned, own, **few)  # type: ignore[call-overload]
     assert any("counting compression positive and the reference as counting rebound" in note for note in found.notes)
     for campaign in (own, wrong):
-        assert not any("counting" in note for note in dashpot.diagnose(model, campaign, own, **few).notes)  # type: ignore[arg-type]
+        assert not any("counting" in note for note in dashpot.diagnose(model, campaign, own, **few).notes)  # type: ignore[call-overload]
     both = dashpot.Campaign.read(tmp_path / "turned", positive="compression"), dashpot.Campaign.read(own.paths[0], positive="rebound")
-    assert not any("counting" in note for note in dashpot.diagnose(model, *both, **few).notes)  # type: ignore[arg-type]
+    assert not any("counting" in note for note in dashpot.diagnose(model, *both, **few).notes)  # type: ignore[call-overload]
     # A diagnosis with a reference that has no similar motion does not fail. Notes report the missing motion and the opposite directions.
-    notes = dashpot.diagnose(model, turned[3:4], own[:1], **few).notes  # type: ignore[arg-type]
+    notes = dashpot.diagnose(model, turned[3:4], own[:1], **few).notes  # type: ignore[call-overload]
     assert any("the reference has no motion like these" in note for note in notes)
     assert any('read both with positive="rebound", or both with positive="compression"' in note for note in notes)
 

@@ -17,6 +17,8 @@ pub struct Budget {
 impl Budget {
     /// Budget for every form of every effect.
     pub const WIDE: Budget = Budget { starts: [2, 2], entrants: 84, forms: 20, finals: 4 };
+    /// Budget for the forms that were not promising before, at the end of a search.
+    pub const REMAINING: Budget = Budget { starts: [1, 1], entrants: 50, forms: 10, finals: 2 };
     /// Budget for a few promising forms.
     pub const NARROW: Budget = Budget { starts: [1, 1], entrants: 30, forms: 10, finals: 3 };
     /// Budget for the comparison of an effect with its rivals.

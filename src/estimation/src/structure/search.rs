@@ -93,6 +93,36 @@ const FIRSTS: usize = 2;
 /// requires up to a dozen iterations.
 const ROUNDS: usize = 24;
 
+/// Forms that an expansion of the search tries.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Forms {
+    /// All forms of all effects, in the first expansion.
+    All,
+    /// Forms that explained much of the records when they were last tried.
+    Promising,
+    /// All other forms, where no promising form raises the log posterior.
+    Remaining,
+}
+
+impl Forms {
+    /// Returns whether an expansion tries a form.
+    fn admit(self, form: &Form, promising: &BTreeSet<Form>) -> bool {
+        match self {
+            Forms::All => true,
+            Forms::Promising => promising.contains(form),
+            Forms::Remaining => !promising.contains(form),
+        }
+    }
+
+    fn budget(self) -> Budget {
+        match self {
+            Forms::All => Budget::WIDE,
+            Forms::Promising => Budget::NARROW,
+            Forms::Remaining => Budget::REMAINING,
+        }
+    }
+}
+
 impl StructureSearch {
     /// Searches from starts based on the records alone, then from the given model if that is more probable. Thus, the
     /// given model has an influence only if it improves the result. Returns `None` if no start gives a finite force. If
@@ -143,11 +173,17 @@ impl StructureSearch {
         Some(search)
     }
 
+    /// Moves to more probable structures until no move raises the log posterior.
+    ///
+    /// The first expansion tries all forms, later ones those that it found promising. What is promising depends on the
+    /// structure: where a spring is missing, a stop of rubber explains more than a hydraulic one. So where none of them
+    /// raises the log posterior, all other forms are tried again, before exchanges and pairs.
+    /// Test: `a_hydraulic_stop_is_found_behind_a_spring_that_was_missing_first`.
     fn climb(&mut self, context: &SearchContext) {
         record(&mut self.table, &self.best);
-        let mut promising: Option<BTreeSet<Form>> = None;
+        let mut promising = BTreeSet::new();
         let mut is_swapped = BTreeSet::new();
-        let mut is_unchecked = true;
+        let (mut is_unchecked, mut forms) = (true, Forms::All);
         for round in 0..ROUNDS {
             (context.progress)(round as f64 / ROUNDS as f64);
             if cancel::asked() {
@@ -157,48 +193,62 @@ impl StructureSearch {
                 self.remove_needless(context);
                 is_unchecked = false;
             }
-            let is_tried = |c: &Candidate| {
-                c.unnamed.is_some() || promising.as_ref().is_none_or(|forms| forms.contains(&(c.effect, c.form)))
+            let is_tried = |c: &Candidate| match c.unnamed {
+                Some(_) => forms != Forms::Remaining,
+                None => forms.admit(&(c.effect, c.form), &promising),
             };
-            let budget = if promising.is_none() { Budget::WIDE } else { Budget::NARROW };
-            let Some(Expansion { trials, visible }) = expand(context, &self.best, &is_tried, budget) else { return };
+            let Some(Expansion { trials, visible }) = expand(context, &self.best, &is_tried, forms.budget()) else {
+                return;
+            };
             self.note(&trials);
-            if promising.is_none() {
+            if forms == Forms::All {
                 self.visible = visible;
+                promising = select_promising(&trials);
             }
-            let forms = promising.get_or_insert_with(BTreeSet::new);
-            if forms.is_empty() {
-                *forms = select_promising(&trials);
+            // The remaining forms are added to the promising ones, which were tried from the same structure.
+            if forms != Forms::Remaining {
+                self.last.clear();
             }
-            self.last = trials.clone();
-            let rare = count_rare(&self.best, context);
-            // Unnamed errors compete with effects. A rare effect is added only if it is more probable than every
-            // unnamed error, and if fewer than `context.most` rare effects are present.
-            let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
-            let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
-            let may = |t: &&Trial| {
-                t.unnamed.is_none()
-                    && (!is_rare(t.form.0, t.form.1, context.priors)
-                        || rare < context.most && t.structure.log_posterior > unnamed)
-            };
-            let added = trials.iter().find(may);
-            if let Some(trial) = added.filter(|t| t.structure.log_posterior > self.best.log_posterior - ADDED) {
-                let next = trial.structure.refined(context.tests, Effort::JUDGE);
-                record(&mut self.table, &next);
-                let next = self
-                    .best_removal(context, &next)
-                    .filter(|less| less.log_posterior > next.log_posterior)
-                    .unwrap_or(next);
-                if next.log_posterior > self.best.log_posterior + RISE {
-                    self.best = next;
-                    continue;
-                }
-            }
-            if !self.swap(context, forms, &mut is_swapped) && !self.add_two(context, forms, &trials) {
+            self.last.extend(trials);
+            self.last.sort_by(|a, b| b.structure.log_posterior.total_cmp(&a.structure.log_posterior));
+            let trials = self.last.clone();
+            if self.add(context, &trials) {
+                (is_unchecked, forms) = (true, Forms::Promising);
+            } else if forms == Forms::Promising {
+                forms = Forms::Remaining;
+            } else if self.swap(context, &promising, &mut is_swapped) || self.add_two(context, &promising, &trials) {
+                (is_unchecked, forms) = (true, Forms::Promising);
+            } else {
                 return;
             }
-            is_unchecked = true;
         }
+    }
+
+    /// Adds the most probable effect of an expansion if that raises the log posterior. Returns whether it did.
+    fn add(&mut self, context: &SearchContext, trials: &[Trial]) -> bool {
+        let rare = count_rare(&self.best, context);
+        // Unnamed errors compete with effects. A rare effect is added only if it is more probable than every unnamed
+        // error, and if fewer than `context.most` rare effects are present.
+        let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
+        let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
+        let may = |t: &&Trial| {
+            t.unnamed.is_none()
+                && (!is_rare(t.form.0, t.form.1, context.priors)
+                    || rare < context.most && t.structure.log_posterior > unnamed)
+        };
+        let Some(trial) = trials.iter().find(may) else { return false };
+        if trial.structure.log_posterior <= self.best.log_posterior - ADDED {
+            return false;
+        }
+        let next = trial.structure.refined(context.tests, Effort::JUDGE);
+        record(&mut self.table, &next);
+        let less = self.best_removal(context, &next).filter(|less| less.log_posterior > next.log_posterior);
+        let next = less.unwrap_or(next);
+        if next.log_posterior <= self.best.log_posterior + RISE {
+            return false;
+        }
+        self.best = next;
+        true
     }
 
     /// Adds two effects at once if the residual of the best structure exceeds the noise. `singles` are the trials of its

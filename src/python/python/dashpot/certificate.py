@@ -19,6 +19,12 @@ class LimitValue(Result):
     """Value of a force, N; None for a time."""
     value_s: float | None = field(default=None, metadata={"omitted": True})
     """Value of a response time, s; None for a force."""
+    uncertainty_s: float | None = field(default=None, metadata={"omitted": True})
+    """Uncertainty of a response time, s, if it is known."""
+    damping_n: float | None = field(default=None, metadata={"omitted": True})
+    """Part of a friction that grows with velocity, N: the damping at the speed of the slow tests. None if it is unknown."""
+    step: tuple[float, float] | None = field(default=None, metadata={"omitted": True})
+    """Settings before and after the step of a response time."""
 
     @property
     def value(self) -> float:

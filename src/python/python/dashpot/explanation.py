@@ -47,6 +47,17 @@ class Gap(Result):
 
 
 @dataclass(frozen=True, repr=False)
+class Cause(Result):
+    """An entry of the drawing that, with another value, would explain a contradiction."""
+
+    entry: str
+    value: float
+    """Value that explains the contradiction, in the unit of the drawing."""
+    tolerances: float
+    """Ratio of the logarithmic change of the entry to its tolerance."""
+
+
+@dataclass(frozen=True, repr=False)
 class Contradiction(Result):
     """A parameter of the model whose value contradicts the dimensions."""
 
@@ -57,6 +68,10 @@ class Contradiction(Result):
     """Ratio of ``model`` to ``dimensions``."""
     unit: str
     text: str
+    entries: tuple[str, ...] = ()
+    """Entries of the drawing from which ``dimensions`` was computed. At least one of them, or the model, is wrong."""
+    causes: tuple[Cause, ...] = ()
+    """Entries that would explain the contradiction if only that entry had another value, the smallest change first."""
 
 
 @dataclass(frozen=True, repr=False)
