@@ -126,11 +126,12 @@ dashpot_input instance_input_ahead(const struct instance *instance, int corner, 
             input.temperature += d[TEMPERATURE - DISPLACEMENT] * dt;
         if (part->derivatives & 1u << OF_SETTING)
             input.setting += d[OF_SETTING] * dt;
-    } else if (between(instance) == EXTRAPOLATE && data->dt > 0.0) {
+    } else if (between(instance) == EXTRAPOLATE) {
         double before = part->told.velocity[0];
 
-        if (isfinite(before))
-            run_on(&input, (input.velocity - before) / data->dt, dt);
+        /* In the first step no earlier velocity is known. The motion then goes on at its velocity: with the displacement of the
+         * start, a damper that starts in motion would stand still for a step and move two steps in the next. */
+        run_on(&input, data->dt > 0.0 && isfinite(before) ? (input.velocity - before) / data->dt : 0.0, dt);
     }
     return input;
 }
