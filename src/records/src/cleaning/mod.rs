@@ -567,7 +567,7 @@ mod tests {
 
     #[test]
     fn windows_that_corners_shorten_are_noted_from_a_hundredth_of_the_samples_on() {
-        // Each corner shortens the windows of five or six of 1600 samples.
+        // Each corner shortens the windows of eight or more of 1600 samples.
         let is_noted = |corners: i32| {
             let mut random = crate::fixtures::Random::new(6);
             let corner = |i: i32| (1..=corners).map(|k| 4e-4 * f64::from((i - 300 * k).max(0))).sum::<f64>();
@@ -577,6 +577,6 @@ mod tests {
             differentiated(&mut samples, displacement);
             samples.notes.iter().any(|note| note.text.to_string().contains("where the motion turns"))
         };
-        assert!(!is_noted(2) && is_noted(4));
+        assert!(!is_noted(1) && is_noted(4));
     }
 }
