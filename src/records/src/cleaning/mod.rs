@@ -15,7 +15,7 @@ mod rests;
 pub(crate) mod set_to;
 mod settings;
 mod stairs;
-mod still;
+pub(crate) mod still;
 pub(crate) mod swapped_columns;
 mod trim;
 
