@@ -1134,6 +1134,10 @@ records-at-rests = { $count } Versuche hintereinander, an den Ruhezeiten dazwisc
 
 ## What reading says of records. Rows.
 
+records-overflows = { $count ->
+        [one] { $count } Wert
+       *[other] { $count } Werte
+    } des Kanals { $channel } größer, als ein Sensor misst, zuerst { $value } { $unit } in Zeile { $line }; als fehlend behandelt
 records-rows-dropped = { $count } von { $rows } Zeilen wegen leerer Zellen oder solcher ohne Zahl weggelassen (Zeile { $lines })
 records-setting-held = { $count } von { $rows } Werten der Einstellung ‚{ $setting }‘ { $count ->
         [one] fehlt

@@ -1152,6 +1152,10 @@ records-at-rests = { $count } essais l’un après l’autre, séparés aux repo
 
 ## What reading says of records. Rows.
 
+records-overflows = { $count ->
+        [one] { $count } valeur
+       *[other] { $count } valeurs
+    } de la voie { $channel } au-delà de ce que mesure un capteur, d’abord { $value } { $unit } à la ligne { $line } ; comptées comme manquantes
 records-rows-dropped = { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes

@@ -1050,6 +1050,7 @@ records-at-rests = { $count } 个试验前后相接，按静止前后运动的�
 
 ## What reading says of records. Rows.
 
+records-overflows = { $channel }通道有 { $count } 个值超出任何传感器的量程，首个为 { $value } { $unit }（第 { $line } 行）；按缺失处理
 records-rows-dropped = { $rows } 行中有 { $count } 行因单元格为空或不是数值而舍去（第 { $lines } 行）
 records-setting-held = 设定“{ $setting }”的 { $rows } 个值中缺少 { $count } 个；均取其前一个值
 records-setting-start = 设定“{ $setting }”在 { $seconds } s 内尚未到达其值；该起始段已剪去

@@ -49,6 +49,7 @@ pub(crate) use drift::time_mean;
 /// off the start of a test in which a slow supply brings the setting to its value.
 pub(crate) fn sort_out(mut samples: Samples, options: &Options) -> Result<Vec<Samples>, RecordError> {
     enough(&samples)?;
+    missing::forget_overflows(&mut samples);
     swapped_columns::reject(&samples, options)?;
     missing::drop_rows(&mut samples)?;
     order::drop_stale(&mut samples);

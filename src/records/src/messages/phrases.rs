@@ -51,6 +51,7 @@ dashpot_messages::phrases! {
     AT_SETTINGS: "{count} tests one after the other without a rest, told apart where stroke or frequency changes and stays; the clock goes on, so that heat carries over";
     AT_RESTS: "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over";
     // Rows.
+    OVERFLOWS: "{count|# value|# values} of {channel} {count|is|are} larger than any sensor measures, first {value} {unit} in line {line}; {count|it counts|they count} as missing";
     ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
     SETTING_HELD: "{count} of {rows} values of the setting '{setting}' {count|is|are} missing; each is taken as the one before it";
     SETTING_START: "the setting '{setting}' is on its way to its value for {seconds} s; this start was cut off";
