@@ -1332,6 +1332,7 @@ records-binary = { $file }: lässt sich nicht als { $kind } lesen ({ $cause })
 records-mat = { $file }: lässt sich nicht als MAT-Datei lesen ({ $cause }); neu speichern mit save(..., '-v7')
 records-no-header = { $at }: keine Kopfzeile gefunden, die Zeit und andere Kanäle nennt; die erste Zeile lautet „{ $found }“.{ $near }
 records-best-line = { " " }Am besten verstanden wird Zeile { $line }, mit { $known }; eine Kopfzeile braucht zwei Spalten, die verstanden werden.
+records-angle-alone = { " " }Die Spalte „{ $column }“ ist ein Kurbelwinkel. Er ergibt die Zeit, wenn eine Zeile über der Tabelle die Drehzahl angibt, etwa „Drehzahl: 6 1/min“. Der Weg wird nicht daraus berechnet: Exportieren Sie auch Kraft und Weg, jeweils in einer eigenen Spalte.
 records-taken-for = „{ $column }“ für { $channel }
 records-figures-alone = { " " }Sie enthält { $count ->
         [one] { $count } Spalte Zahlen
@@ -1382,6 +1383,7 @@ records-labels-check = Die Angaben dieser Versuche prüfen; ein berichtigter Wer
 records-labels-mirrored = Jeder von ihnen hat die Kraft von { $name } vom anderen Ende gezählt. Prüfen, von welchem Ende diese und die anderen Versuche zählen; berichtigte Werte gehören in campaign.toml unter settings
 records-missing-column = { $at }, Zeile { $line }: keine Spalte für { $missing }; die Spalten sind { $found }.{ $near } Die Spalte mit --column { $example }="Überschrift" nennen{ $otherwise }{ $units }
 records-units-too = . Auch Einheiten fehlen: Geben Sie sie an, wie die Datei sie hat, etwa { $options }
+records-or-crank-speed = , oder die Drehzahl der Kurbel in einer Zeile über der Tabelle angeben, etwa ‚Drehzahl: 6 1/min‘; die Spalte ‚{ $column }‘ ergibt dann die Zeit
 records-or-sample-rate = , oder, wo die Datei keine hat, --sample-rate 1000 angeben (Abtastwerte je Sekunde)
 records-several-columns = { $at }, Zeile { $line }: mehrere Spalten könnten { $channel } sein: { $names }; eine mit --column { $channel }="{ $first }" wählen
 records-no-such-column = { $at }, Zeile { $line }: es gibt keine Spalte „{ $wanted }“ für { $channel }; die Spalten sind { $found }.{ $near }

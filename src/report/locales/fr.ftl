@@ -1371,6 +1371,7 @@ records-binary = { $file } : ne peut être lu comme { $kind } ({ $cause })
 records-mat = { $file } : ne peut être lu comme fichier MAT ({ $cause }) ; l’enregistrer de nouveau avec save(..., '-v7')
 records-no-header = { $at } : aucune ligne d’en-tête trouvée qui nomme le temps et d’autres voies ; la première ligne est « { $found } ».{ $near }
 records-best-line = { " " }La mieux comprise est la ligne { $line }, avec { $known } ; un en-tête demande deux colonnes comprises.
+records-angle-alone = { " " }La colonne « { $column } » est un angle de manivelle. Il donne le temps si une ligne au-dessus du tableau indique la vitesse, par exemple « Speed: 6 rpm ». Le déplacement n’en est pas calculé : exportez aussi la force et le déplacement, chacun dans sa colonne.
 records-taken-for = « { $column } » pour { $channel }
 records-figures-alone = { " " }Elle contient { $count ->
         [one] { $count } colonne
@@ -1421,6 +1422,7 @@ records-labels-check = Vérifier les indications de ces essais ; une valeur corr
 records-labels-mirrored = Chacun a l’effort de { $name } compté depuis l’autre bout. Vérifier de quel bout comptent ces essais et les autres ; les valeurs corrigées se mettent dans campaign.toml sous settings
 records-missing-column = { $at }, ligne { $line } : aucune colonne pour { $missing } ; les colonnes sont { $found }.{ $near } Nommer la colonne par --column { $example }="en-tête"{ $otherwise }{ $units }
 records-units-too = . Des unités manquent aussi : donnez-les telles que le fichier les a, par exemple { $options }
+records-or-crank-speed = , ou indiquer la vitesse de la manivelle dans une ligne au-dessus du tableau, par exemple « Speed: 6 rpm » ; la colonne « { $column } » donne alors le temps
 records-or-sample-rate = , ou, si le fichier n’en a pas, dire --sample-rate 1000 (échantillons par seconde)
 records-several-columns = { $at }, ligne { $line } : plusieurs colonnes pourraient être { $channel } : { $names } ; en choisir une par --column { $channel }="{ $first }"
 records-no-such-column = { $at }, ligne { $line } : il n’y a pas de colonne « { $wanted } » pour { $channel } ; les colonnes sont { $found }.{ $near }

@@ -160,6 +160,7 @@ dashpot_messages::phrases! {
     MAT: "{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')";
     NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.{near}";
     BEST_LINE: " Best understood is line {line}, with {known}; a heading needs two columns that are understood.";
+    ANGLE_ALONE: " Column '{column}' is the angle of a crank. It gives the time if a line above the table states the speed, as in 'Speed: 6 rpm'. The motion is not worked out from it: export force and displacement as well, each in a column of its own.";
     TAKEN_FOR: "'{column}' for {channel}";
     FIGURES_ALONE: " It holds {count|# column|# columns} of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.";
     NO_DATA: "{at}: has a header but no data rows";
@@ -194,6 +195,7 @@ dashpot_messages::phrases! {
     LABELS_MIRRORED: "Each of them has the force of the {name} counted from the other end. Check which end these and the other tests count from; corrected values go into campaign.toml under settings";
     MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}{units}";
     UNITS_TOO: ". Units are missing too: give them as the file has them, as in {options}";
+    OR_CRANK_SPEED: ", or state the speed of the crank in a line above the table, as in 'Speed: 6 rpm'; column '{column}' then gives the time";
     OR_SAMPLE_RATE: ", or, where the file has none, say --sample-rate 1000 (samples per second)";
     SEVERAL_COLUMNS: "{at}, line {line}: several columns could be {channel}: {names}; choose one with --column {channel}=\"{first}\"";
     NO_SUCH_COLUMN: "{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}.{near}";
