@@ -1112,6 +1112,10 @@ records-longer-rows = { $count ->
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file }: { $text }
+records-of-files = { $count ->
+        [one] { $count } Datei
+       *[other] { $count } Dateien
+    } ({ $names }, ...) mit einem Hinweis derselben Art, der erste: { $text }
 records-gaps = Lücken in der Zeit: { $places }{ $more }. Als { $count ->
         [one] { $count } Versuch
        *[other] { $count } Versuche

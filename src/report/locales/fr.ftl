@@ -1127,6 +1127,10 @@ records-longer-rows = { $count ->
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file } : { $text }
+records-of-files = { $count ->
+        [one] { $count } fichier
+       *[other] { $count } fichiers
+    } ({ $names }, ...) avec une remarque du même genre, la première : { $text }
 records-gaps = trous dans le temps : { $places }{ $more }. Lu comme { $count ->
         [one] { $count } essai
        *[other] { $count } essais

@@ -1037,6 +1037,7 @@ records-longer-rows = { $count } 行的数值多于表头的列数，无法确�
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file }：{ $text }
+records-of-files = { $count } 个文件（{ $names } 等）有同类提示，首个为：{ $text }
 records-gaps = 时间有间断：{ $places }{ $more }。按 { $count } 个试验读取{ $rest }
 records-gap = { $from } s 之后有 { $seconds } s 无采样（第 { $line } 行）
 records-more-gaps = ，另有 { $count } 处

@@ -40,6 +40,7 @@ dashpot_messages::phrases! {
     LONGER_ROWS: "{count|# row holds|# rows hold} more figures than the heading has columns, so that it is not sure which is which; {count|this row is|these rows are} left out (line {lines}). Too many in the first: {text}";
     // Gaps in time.
     OF_FILE: "{file}: {text}";
+    OF_FILES: "{count|# file|# files} ({names}, ...) with the same kind of remark, the first: {text}";
     GAPS: "gaps in time: {places}{more}. Read as {count|# test|# tests}{rest}";
     GAP: "{seconds} s without samples after {from} s (line {line})";
     MORE_GAPS: " and {count} more";
