@@ -1336,7 +1336,7 @@ records-binary = { $file }: lässt sich nicht als { $kind } lesen ({ $cause })
 records-mat = { $file }: lässt sich nicht als MAT-Datei lesen ({ $cause }); neu speichern mit save(..., '-v7')
 records-no-header = { $at }: keine Kopfzeile gefunden, die Zeit und andere Kanäle nennt; die erste Zeile lautet „{ $found }“.{ $near }
 records-best-line = { " " }Am besten verstanden wird Zeile { $line }, mit { $known }; eine Kopfzeile braucht zwei Spalten, die verstanden werden.
-records-angle-alone = { " " }Die Spalte „{ $column }“ ist ein Kurbelwinkel. Er ergibt die Zeit, wenn eine Zeile über der Tabelle die Drehzahl angibt, etwa „Drehzahl: 6 1/min“. Der Weg wird nicht daraus berechnet: Exportieren Sie auch Kraft und Weg, jeweils in einer eigenen Spalte.
+records-angle-alone = { " " }Die Spalte „{ $column }“ ist ein Kurbelwinkel. Er ergibt die Zeit, wenn eine Zeile über der Tabelle die Drehzahl angibt, etwa „Drehzahl: 6 1/min“. Der Weg wird nicht daraus berechnet: Exportieren Sie auch den Weg, in einer eigenen Spalte.
 records-taken-for = „{ $column }“ für { $channel }
 records-figures-alone = { " " }Sie enthält { $count ->
         [one] { $count } Spalte Zahlen

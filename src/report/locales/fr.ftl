@@ -1375,7 +1375,7 @@ records-binary = { $file } : ne peut être lu comme { $kind } ({ $cause })
 records-mat = { $file } : ne peut être lu comme fichier MAT ({ $cause }) ; l’enregistrer de nouveau avec save(..., '-v7')
 records-no-header = { $at } : aucune ligne d’en-tête trouvée qui nomme le temps et d’autres voies ; la première ligne est « { $found } ».{ $near }
 records-best-line = { " " }La mieux comprise est la ligne { $line }, avec { $known } ; un en-tête demande deux colonnes comprises.
-records-angle-alone = { " " }La colonne « { $column } » est un angle de manivelle. Il donne le temps si une ligne au-dessus du tableau indique la vitesse, par exemple « Speed: 6 rpm ». Le déplacement n’en est pas calculé : exportez aussi la force et le déplacement, chacun dans sa colonne.
+records-angle-alone = { " " }La colonne « { $column } » est un angle de manivelle. Il donne le temps si une ligne au-dessus du tableau indique la vitesse, par exemple « Speed: 6 rpm ». Le déplacement n’en est pas calculé : exportez aussi le déplacement, dans une colonne à lui.
 records-taken-for = « { $column } » pour { $channel }
 records-figures-alone = { " " }Elle contient { $count ->
         [one] { $count } colonne

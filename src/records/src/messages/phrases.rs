@@ -161,7 +161,7 @@ dashpot_messages::phrases! {
     MAT: "{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')";
     NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.{near}";
     BEST_LINE: " Best understood is line {line}, with {known}; a heading needs two columns that are understood.";
-    ANGLE_ALONE: " Column '{column}' is the angle of a crank. It gives the time if a line above the table states the speed, as in 'Speed: 6 rpm'. The motion is not worked out from it: export force and displacement as well, each in a column of its own.";
+    ANGLE_ALONE: " Column '{column}' is the angle of a crank. It gives the time if a line above the table states the speed, as in 'Speed: 6 rpm'. The motion is not worked out from it: export the displacement too, in a column of its own.";
     TAKEN_FOR: "'{column}' for {channel}";
     FIGURES_ALONE: " It holds {count|# column|# columns} of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.";
     NO_DATA: "{at}: has a header but no data rows";
