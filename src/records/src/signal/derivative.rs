@@ -354,7 +354,7 @@ mod tests {
         ] {
             let mut random = Random::new(7);
             let time: Vec<f64> = (0..(0.9 / step) as usize).map(|i| i as f64 * step + shift).collect();
-            // Distance from the last corner or to the next one, times the speed; a corner is a parabola over `rounding`.
+            // A rounded corner is a parabola over the time `rounding`, s.
             let triangle = |t: f64| {
                 let phase = (t / half).rem_euclid(2.0);
                 let from = half * (phase - phase.round()).abs();
