@@ -9,6 +9,22 @@ use serde::{Deserialize, Serialize};
 /// samples, a smooth curve changes its force by less than 2 %.
 const AT_PEAK: f64 = 0.98;
 
+/// Fraction of the samples of a cycle that lie above the level by which [`highest`] limits the highest velocity.
+///
+/// It is half the fraction of a sine at peak velocity, so that level is 0.995 of the peak of a sine. A lower fraction would let the noise
+/// of the samples beside the corners of a fast triangular motion count as its velocity.
+///
+/// Test: `the_speed_of_a_triangle_is_not_that_of_its_corners`.
+const ABOVE_LEVEL: f64 = 0.032;
+
+/// Largest ratio of the highest velocity to the level of [`ABOVE_LEVEL`].
+///
+/// For a sine of at least forty samples per cycle, the ratio is between 1.005 and 1.013. The limit therefore changes the samples at the
+/// peaks of a sine only if the noise raises the highest sample.
+///
+/// Test: `the_speed_of_a_triangle_is_not_that_of_its_corners`.
+const ABOVE: f64 = 1.01;
+
 /// Force at the peak velocity of one stroke of a test, mean over its whole cycles.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Peak {
@@ -38,7 +54,7 @@ impl AtPeak {
         let settled = &record.cycles[usize::from(record.cycles.len() > 2)..];
         let stroke = |sign: f64| -> Vec<usize> {
             let samples = settled.iter().flat_map(|cycle| {
-                let top = cycle.clone().map(|i| sign * velocity[i]).fold(0.0, f64::max);
+                let top = highest(cycle.clone().map(|i| sign * velocity[i]).collect());
                 let velocity = &velocity;
                 cycle.clone().filter(move |i| top > 0.0 && sign * velocity[*i] >= AT_PEAK * top)
             });
@@ -53,6 +69,19 @@ impl AtPeak {
         let mean = |samples: &[usize], of: &[f64]| samples.iter().map(|i| of[*i]).sum::<f64>() / samples.len() as f64;
         [&self.rebound, &self.compression]
             .map(|samples| Peak { velocity_m_s: mean(samples, &self.velocity), force_n: mean(samples, force) })
+    }
+}
+
+/// Returns the highest velocity, m/s, of the velocities of one cycle; 0 if none is positive.
+///
+/// It is the maximum of a smooth motion. If single samples rise above the others by more than those of a sine, the maximum is the noise of
+/// these samples. Then the returned velocity is the level that [`ABOVE_LEVEL`] of the samples exceed, times [`ABOVE`].
+fn highest(mut velocities: Vec<f64>) -> f64 {
+    velocities.sort_by(|a, b| b.total_cmp(a));
+    let at = (ABOVE_LEVEL * velocities.len() as f64) as usize;
+    match (velocities.first(), velocities.get(at)) {
+        (Some(&top), Some(&level)) => top.min(ABOVE * level).max(0.0),
+        _ => 0.0,
     }
 }
 
@@ -82,5 +111,36 @@ mod tests {
         assert!((compression.force_n - 800.0 * compression.velocity_m_s).abs() < 5.0, "{compression:?}");
         record.cycles.clear();
         assert!(AtPeak::find(&record).is_none());
+    }
+
+    /// Checks a triangular motion whose velocity overshoots by a tenth in the first sample after each corner.
+    #[test]
+    fn the_speed_of_a_triangle_is_not_that_of_its_corners() {
+        let (n, cycles, speed) = (150, 3, 0.4);
+        let mut record = Record { frequency: 1.0 / 0.3, peak_velocity: speed, ..Record::default() };
+        record.cycles = (0..cycles).map(|c| n * c..n * (c + 1)).collect();
+        let mut place = 0.0;
+        for i in 0..n * cycles {
+            let phase = i % (n / 2);
+            let sign = if i % n < n / 2 { 1.0 } else { -1.0 };
+            let overshoot = if phase == 0 { 1.1 } else { 1.0 };
+            record.time.push(0.002 * i as f64);
+            record.velocity.push(sign * speed * overshoot);
+            record.displacement.push(place);
+            // Beside a corner, the force is not yet that of the speed.
+            record.force.push(sign * if phase == 0 { 500.0 } else { 650.0 });
+            place += 0.002 * sign * speed;
+        }
+        for peak in AtPeak::find(&record).unwrap().pick(&record.force) {
+            assert!((peak.velocity_m_s.abs() - speed).abs() < 0.01 * speed, "{peak:?}");
+            assert!((peak.force_n.abs() - 650.0).abs() < 10.0, "{peak:?}");
+        }
+        // The highest of the samples of a sine counts, at any phase of the samples.
+        for shift in 0..10 {
+            let velocity = |i: i32| libm::cos(std::f64::consts::TAU * (f64::from(i) + 0.1 * f64::from(shift)) / 40.0);
+            let samples: Vec<f64> = (0..40).map(velocity).collect();
+            let top = samples.iter().copied().fold(0.0, f64::max);
+            assert!(highest(samples) > 0.997 * top, "{shift}");
+        }
     }
 }

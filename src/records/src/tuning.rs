@@ -433,11 +433,12 @@ pub(crate) mod sign {
 
     /// Fraction of the rigs with a force zero that was set with the damper mounted, or never set.
     ///
-    /// On such rigs, the force at standstill is no evidence of gas. The value is a conservative guess. Without it, a
-    /// single force would make the direction certain, regardless of the rig.
+    /// On such rigs, the force at standstill is no evidence of gas. The value is a conservative guess. It limits the
+    /// odds of the gas force to seven to one, as [`MOST_BY_SHAPE`] limits those of the asymmetry. Neither is then
+    /// certain if the other contradicts it.
     ///
-    /// Test: `friction_tells_no_direction_however_unlike_its_sides_are`.
-    pub(crate) const TARED: f64 = 0.05;
+    /// Test: `a_shifted_zero_of_the_load_cell_is_never_sure`.
+    pub(crate) const TARED: f64 = 0.25;
 
     /// Prior mean of the natural logarithm of the ratio of the force in rebound to that in compression, for
     /// passenger-car dampers.

@@ -1112,6 +1112,10 @@ records-longer-rows = { $count ->
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file }: { $text }
+records-of-files = { $count ->
+        [one] { $count } Datei
+       *[other] { $count } Dateien
+    } ({ $names }, ...) mit einem Hinweis derselben Art, der erste: { $text }
 records-gaps = Lücken in der Zeit: { $places }{ $more }. Als { $count ->
         [one] { $count } Versuch
        *[other] { $count } Versuche
@@ -1134,6 +1138,10 @@ records-at-rests = { $count } Versuche hintereinander, an den Ruhezeiten dazwisc
 
 ## What reading says of records. Rows.
 
+records-overflows = { $count ->
+        [one] { $count } Wert
+       *[other] { $count } Werte
+    } des Kanals { $channel } größer, als ein Sensor misst, zuerst { $value } { $unit } in Zeile { $line }; als fehlend behandelt
 records-rows-dropped = { $count } von { $rows } Zeilen wegen leerer Zellen oder solcher ohne Zahl weggelassen (Zeile { $lines })
 records-setting-held = { $count } von { $rows } Werten der Einstellung ‚{ $setting }‘ { $count ->
         [one] fehlt
@@ -1328,6 +1336,7 @@ records-binary = { $file }: lässt sich nicht als { $kind } lesen ({ $cause })
 records-mat = { $file }: lässt sich nicht als MAT-Datei lesen ({ $cause }); neu speichern mit save(..., '-v7')
 records-no-header = { $at }: keine Kopfzeile gefunden, die Zeit und andere Kanäle nennt; die erste Zeile lautet „{ $found }“.{ $near }
 records-best-line = { " " }Am besten verstanden wird Zeile { $line }, mit { $known }; eine Kopfzeile braucht zwei Spalten, die verstanden werden.
+records-angle-alone = { " " }Die Spalte „{ $column }“ ist ein Kurbelwinkel. Er ergibt die Zeit, wenn eine Zeile über der Tabelle die Drehzahl angibt, etwa „Drehzahl: 6 1/min“. Der Weg wird nicht daraus berechnet: Exportieren Sie auch den Weg, in einer eigenen Spalte.
 records-taken-for = „{ $column }“ für { $channel }
 records-figures-alone = { " " }Sie enthält { $count ->
         [one] { $count } Spalte Zahlen
@@ -1378,6 +1387,7 @@ records-labels-check = Die Angaben dieser Versuche prüfen; ein berichtigter Wer
 records-labels-mirrored = Jeder von ihnen hat die Kraft von { $name } vom anderen Ende gezählt. Prüfen, von welchem Ende diese und die anderen Versuche zählen; berichtigte Werte gehören in campaign.toml unter settings
 records-missing-column = { $at }, Zeile { $line }: keine Spalte für { $missing }; die Spalten sind { $found }.{ $near } Die Spalte mit --column { $example }="Überschrift" nennen{ $otherwise }{ $units }
 records-units-too = . Auch Einheiten fehlen: Geben Sie sie an, wie die Datei sie hat, etwa { $options }
+records-or-crank-speed = , oder die Drehzahl der Kurbel in einer Zeile über der Tabelle angeben, etwa ‚Drehzahl: 6 1/min‘; die Spalte ‚{ $column }‘ ergibt dann die Zeit
 records-or-sample-rate = , oder, wo die Datei keine hat, --sample-rate 1000 angeben (Abtastwerte je Sekunde)
 records-several-columns = { $at }, Zeile { $line }: mehrere Spalten könnten { $channel } sein: { $names }; eine mit --column { $channel }="{ $first }" wählen
 records-no-such-column = { $at }, Zeile { $line }: es gibt keine Spalte „{ $wanted }“ für { $channel }; die Spalten sind { $found }.{ $near }

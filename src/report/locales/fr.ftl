@@ -1127,6 +1127,10 @@ records-longer-rows = { $count ->
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file } : { $text }
+records-of-files = { $count ->
+        [one] { $count } fichier
+       *[other] { $count } fichiers
+    } ({ $names }, ...) avec une remarque du même genre, la première : { $text }
 records-gaps = trous dans le temps : { $places }{ $more }. Lu comme { $count ->
         [one] { $count } essai
        *[other] { $count } essais
@@ -1152,6 +1156,10 @@ records-at-rests = { $count } essais l’un après l’autre, séparés aux repo
 
 ## What reading says of records. Rows.
 
+records-overflows = { $count ->
+        [one] { $count } valeur
+       *[other] { $count } valeurs
+    } de la voie { $channel } au-delà de ce que mesure un capteur, d’abord { $value } { $unit } à la ligne { $line } ; comptées comme manquantes
 records-rows-dropped = { $count ->
         [one] { $count } ligne
        *[other] { $count } lignes
@@ -1367,6 +1375,7 @@ records-binary = { $file } : ne peut être lu comme { $kind } ({ $cause })
 records-mat = { $file } : ne peut être lu comme fichier MAT ({ $cause }) ; l’enregistrer de nouveau avec save(..., '-v7')
 records-no-header = { $at } : aucune ligne d’en-tête trouvée qui nomme le temps et d’autres voies ; la première ligne est « { $found } ».{ $near }
 records-best-line = { " " }La mieux comprise est la ligne { $line }, avec { $known } ; un en-tête demande deux colonnes comprises.
+records-angle-alone = { " " }La colonne « { $column } » est un angle de manivelle. Il donne le temps si une ligne au-dessus du tableau indique la vitesse, par exemple « Speed: 6 rpm ». Le déplacement n’en est pas calculé : exportez aussi le déplacement, dans une colonne à lui.
 records-taken-for = « { $column } » pour { $channel }
 records-figures-alone = { " " }Elle contient { $count ->
         [one] { $count } colonne
@@ -1417,6 +1426,7 @@ records-labels-check = Vérifier les indications de ces essais ; une valeur corr
 records-labels-mirrored = Chacun a l’effort de { $name } compté depuis l’autre bout. Vérifier de quel bout comptent ces essais et les autres ; les valeurs corrigées se mettent dans campaign.toml sous settings
 records-missing-column = { $at }, ligne { $line } : aucune colonne pour { $missing } ; les colonnes sont { $found }.{ $near } Nommer la colonne par --column { $example }="en-tête"{ $otherwise }{ $units }
 records-units-too = . Des unités manquent aussi : donnez-les telles que le fichier les a, par exemple { $options }
+records-or-crank-speed = , ou indiquer la vitesse de la manivelle dans une ligne au-dessus du tableau, par exemple « Speed: 6 rpm » ; la colonne « { $column } » donne alors le temps
 records-or-sample-rate = , ou, si le fichier n’en a pas, dire --sample-rate 1000 (échantillons par seconde)
 records-several-columns = { $at }, ligne { $line } : plusieurs colonnes pourraient être { $channel } : { $names } ; en choisir une par --column { $channel }="{ $first }"
 records-no-such-column = { $at }, ligne { $line } : il n’y a pas de colonne « { $wanted } » pour { $channel } ; les colonnes sont { $found }.{ $near }

@@ -1037,6 +1037,7 @@ records-longer-rows = { $count } 行的数值多于表头的列数，无法确�
 ## What reading says of records. Gaps in time.
 
 records-of-file = { $file }：{ $text }
+records-of-files = { $count } 个文件（{ $names } 等）有同类提示，首个为：{ $text }
 records-gaps = 时间有间断：{ $places }{ $more }。按 { $count } 个试验读取{ $rest }
 records-gap = { $from } s 之后有 { $seconds } s 无采样（第 { $line } 行）
 records-more-gaps = ，另有 { $count } 处
@@ -1050,6 +1051,7 @@ records-at-rests = { $count } 个试验前后相接，按静止前后运动的�
 
 ## What reading says of records. Rows.
 
+records-overflows = { $channel }通道有 { $count } 个值超出任何传感器的量程，首个为 { $value } { $unit }（第 { $line } 行）；按缺失处理
 records-rows-dropped = { $rows } 行中有 { $count } 行因单元格为空或不是数值而舍去（第 { $lines } 行）
 records-setting-held = 设定“{ $setting }”的 { $rows } 个值中缺少 { $count } 个；均取其前一个值
 records-setting-start = 设定“{ $setting }”在 { $seconds } s 内尚未到达其值；该起始段已剪去
@@ -1178,6 +1180,7 @@ records-binary = { $file }：不能作为 { $kind } 读取（{ $cause }）
 records-mat = { $file }：不能作为 MAT 文件读取（{ $cause }）；请用 save(..., '-v7') 重新保存
 records-no-header = { $at }：未找到写明时间和其他通道的表头；第一行为“{ $found }”。{ $near }
 records-best-line = 理解最多的是第 { $line } 行，其中有 { $known }；表头至少需要两列可以理解。
+records-angle-alone = 列“{ $column }”是曲柄转角。若表格上方有一行注明转速（例如“Speed: 6 rpm”），即可由它得出时间。位移不由它计算：请同时导出位移，单独占一列。
 records-taken-for = “{ $column }”（{ $channel }）
 records-figures-alone = 该行含 { $count } 列数值而没有列名：请按列号一次性说明各列及其单位，例如 { $options }。
 records-no-data = { $at }：有表头但没有数据行
@@ -1216,6 +1219,7 @@ records-labels-check = 请检查这些试验的标注；更正值写入 campaign
 records-labels-mirrored = 每个试验的力都相当于从另一端计数的 { $name }。请检查这些试验与其他试验从哪一端计数；更正值写入 campaign.toml 的 settings
 records-missing-column = { $at }，第 { $line } 行：没有{ $missing }的列；现有各列为 { $found }。{ $near }请用 --column { $example }="列名" 指定{ $otherwise }{ $units }
 records-units-too = 。单位也缺失：请按文件实际单位给出，例如 { $options }
+records-or-crank-speed = ；或在表格上方的一行中注明曲柄转速，例如“Speed: 6 rpm”，列“{ $column }”即可给出时间
 records-or-sample-rate = ；文件中没有时，请给出 --sample-rate 1000（每秒采样数）
 records-several-columns = { $at }，第 { $line } 行：多个列都可能是 { $channel }：{ $names }；请用 --column { $channel }="{ $first }" 选定其一
 records-no-such-column = { $at }，第 { $line } 行：没有作为{ $channel }的列“{ $wanted }”；现有各列为 { $found }。{ $near }

@@ -1,7 +1,7 @@
 //! Notes of the reader on the records, for the terminal.
 
 use super::data::is_shown_first;
-use dashpot_records::Campaign;
+use dashpot_records::{Campaign, Note};
 use dashpot_report::words::TERMINAL;
 
 /// Largest number of lines that are printed on the channels, and largest number on the repairs.
@@ -41,16 +41,38 @@ fn limit(mut lines: Vec<String>, what: &str) -> Vec<String> {
     lines
 }
 
-/// Formats one line for each test with damaged samples that the reader repaired, at most [`LISTED`] lines.
+/// Largest number of tests with damage of the same kinds that have a line each. More tests have one line together.
+const ALIKE: usize = 3;
+
+/// Formats one line for each test with damaged samples that the reader repaired, at most [`LISTED`] lines. Many tests
+/// with damage of the same kinds have one line.
 fn repairs(campaign: &Campaign) -> Vec<String> {
-    let lines = campaign
-        .records
-        .iter()
-        .filter_map(|r| {
-            let texts: Vec<String> = r.notes.iter().filter(|n| n.is_of_damage()).map(|n| n.text.to_string()).collect();
-            (!texts.is_empty()).then(|| format!("{}: {}", r.name, texts.join("; ")))
-        })
-        .collect();
+    let mut groups: Vec<(Vec<&str>, Vec<(&str, String)>)> = Vec::new();
+    for record in &campaign.records {
+        let notes: Vec<&Note> = record.notes.iter().filter(|note| note.is_of_damage()).collect();
+        let kinds: Vec<&str> = notes.iter().map(|note| note.kind).collect();
+        let texts: Vec<String> = notes.iter().map(|note| note.text.to_string()).collect();
+        let test = (record.name.as_str(), texts.join("; "));
+        match groups.iter_mut().find(|(known, _)| *known == kinds) {
+            _ if kinds.is_empty() => {}
+            Some((_, tests)) => tests.push(test),
+            None => groups.push((kinds, vec![test])),
+        }
+    }
+    let mut lines = Vec::new();
+    for (_, tests) in groups {
+        let each = tests.iter().map(|(name, text)| format!("{name}: {text}"));
+        if tests.len() <= ALIKE {
+            lines.extend(each);
+        } else {
+            let names: Vec<&str> = tests.iter().take(ALIKE).map(|(name, _)| *name).collect();
+            let (count, all, first) = (tests.len(), campaign.records.len(), each.take(1).collect::<String>());
+            lines.push(format!(
+                "{count} of {all} tests ({}, ...) with the same kind of damage, the first: {first}",
+                names.join(", ")
+            ));
+        }
+    }
     limit(lines, "more tests were repaired; the report of dashpot validate names them")
 }
 

@@ -110,8 +110,7 @@ impl Search<'_> {
 
     /// Adds the records of a folder, and those of its subfolders if requested.
     fn folder(&mut self, folder: &Path, within: &str, own: &Arc<Options>) -> Result<(), RecordError> {
-        let has_profile = self.found.folders.iter().any(|(f, _)| f == folder);
-        let (files, subfolders) = entries(folder, has_profile, self.notes)?;
+        let (files, subfolders) = entries(folder, self.notes)?;
         let holds_none = files.is_empty();
         for file in files {
             self.file(file, within, own);
@@ -198,12 +197,8 @@ fn is_passed_over(name: &str) -> bool {
 }
 
 /// Lists the record files and the subfolders with records in a folder, in natural order. Adds a note with the names of
-/// the other entries, except hidden files, lock files and a profile that was read.
-fn entries(
-    folder: &Path,
-    has_profile: bool,
-    notes: &mut Vec<Note>,
-) -> Result<(Vec<PathBuf>, Vec<PathBuf>), RecordError> {
+/// the other entries, except hidden files, lock files, the profile, and the sealed folder of the virtual rig.
+fn entries(folder: &Path, notes: &mut Vec<Note>) -> Result<(Vec<PathBuf>, Vec<PathBuf>), RecordError> {
     let unreadable = |source| RecordError::File(RecordFileError::Read { file: folder.to_owned(), source });
     let mut entries = Vec::new();
     for entry in std::fs::read_dir(folder).map_err(unreadable)? {
@@ -213,8 +208,9 @@ fn entries(
     let (mut files, mut subfolders, mut ignored) = (Vec::new(), Vec::new(), Vec::new());
     for entry in entries {
         let name = file_name(&entry);
-        // A profile that was read has its own note, so it is not reported as ignored.
-        if is_passed_over(&name) || (has_profile && name == profile::FILE) {
+        // `Search::options` has read the profile, so it is not reported as ignored.
+        let is_sealed = || name == profile::SEALED && profile::is_of_virtual_rig(folder);
+        if is_passed_over(&name) || name == profile::FILE || is_sealed() {
             continue;
         }
         if entry.is_dir() {

@@ -6,6 +6,7 @@ use super::motion_setting::MotionSetting;
 use super::profile::{self, Profile};
 use super::record_file::read_file;
 use crate::cleaning::corrections::calibrate;
+use crate::cleaning::still;
 use crate::data::samples::Samples;
 use crate::error::{ColumnError, ImposedMotionError, RecordError, RecordFileError, SampleError};
 use crate::options::{Options, Positive};
@@ -64,7 +65,9 @@ pub fn read_motion(file: &Path, options: &Options) -> Result<MotionRecord, Recor
     }
     check(&samples)?;
     calibrate(&mut samples, &options);
-    if let (Some(displacement), Some(velocity)) = (&samples.displacement, &samples.velocity)
+    // At rest, both channels contain only noise, and their noise does not agree.
+    if !still::is_at_rest(&samples)
+        && let (Some(displacement), Some(velocity)) = (&samples.displacement, &samples.velocity)
         && let Some(agreement) = consistency::compare(&samples.time, displacement, velocity)
         && let Some(cause) = consistency::contradiction(&agreement, &samples.units)
     {
@@ -238,6 +241,15 @@ mod tests {
         let profile = "format = \"dashpot campaign profile 1\"\nsetting = \"current\"\n[settings]\n\"road*\" = 0.8\n";
         std::fs::write(folder.path().join("campaign.toml"), profile).unwrap();
         assert_eq!(read("t_ms,x_mm,current [A]\n0,1,0.4\n1,1,0.4\n"), (0.8, SettingSource::Profile));
+    }
+
+    #[test]
+    fn a_motion_at_rest_is_not_compared_with_its_velocity() {
+        let mut random = crate::fixtures::Random::new(5);
+        let mut row =
+            |k: i32| format!("{},{:.7},{:.7}\n", 0.001 * f64::from(k), 1e-6 * random.normal(), 1e-4 * random.normal());
+        let rows: String = (0..250).map(&mut row).collect();
+        assert!(read(&format!("time_s,x_m,v_m_s\n{rows}"), &Options::default()).is_ok());
     }
 
     #[test]

@@ -1,6 +1,6 @@
 //! Loads the records of a campaign: finds the files, reads and cleans them in parallel, determines the sign.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::{BTreeSet, HashMap, HashSet};
 use std::path::PathBuf;
 
 use rayon::prelude::*;
@@ -306,20 +306,41 @@ fn rig_frame(records: &[Record], positive: Positive, options: &Options, counts_i
 /// Kinds of test notes that concern the file or its division into tests.
 const OF_THE_FILE: [&str; 6] = ["gap", "rests", "cut_off", "stale", "late_velocity", "changing_setting"];
 
+/// Largest number of files with a note of the same kind that have a note each. If more files have it, one note names the
+/// first files.
+const NOTED: usize = 3;
+
 /// Copies the notes about files and their division into tests to the front of the campaign's notes. Equal notes of one
-/// file appear once.
+/// file appear once, and notes of one kind from many files become one.
 fn tell_splits(motions: &[CompleteTest], notes: &mut Vec<Note>) {
-    let mut told: Vec<Note> = Vec::new();
+    let mut told: Vec<(String, &Note)> = Vec::new();
     for motion in motions {
+        let file = motion.at.file.display().to_string();
         for note in motion.notes.iter().filter(|n| OF_THE_FILE.contains(&n.kind)) {
-            let file = motion.at.file.display().to_string();
-            let text = Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone());
-            if told.iter().all(|n| n.text != text) {
-                told.push(Note { kind: note.kind, text });
+            if told.iter().all(|(of, n)| *of != file || n.text != note.text) {
+                told.push((file.clone(), note));
             }
         }
     }
-    notes.splice(0..0, told);
+    let mut grouped: Vec<Note> = Vec::new();
+    for (place, (file, note)) in told.iter().enumerate() {
+        let alike = || told.iter().filter(|(_, other)| other.kind == note.kind).map(|(file, _)| file.as_str());
+        let files: BTreeSet<&str> = alike().collect();
+        let text = if files.len() <= NOTED {
+            Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone())
+        } else if told[..place].iter().all(|(_, earlier)| earlier.kind != note.kind) {
+            let first = Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone());
+            let names: Vec<&str> = files.iter().take(NOTED).copied().collect();
+            Sentence::from(phrases::OF_FILES)
+                .with("count", files.len())
+                .with_names("names", names, phrases::COMMA)
+                .with_sentence("text", first)
+        } else {
+            continue;
+        };
+        grouped.push(Note { kind: note.kind, text });
+    }
+    notes.splice(0..0, grouped);
 }
 
 /// Returns the options of the campaign as a whole: the given options, completed by the profile if there is only one.
@@ -439,10 +460,7 @@ mod tests {
         assert_eq!(calls.load(Relaxed), 6); // three files, three tests
         assert_eq!(campaign.sign.positive, crate::Positive::Rebound);
         let note = &campaign.notes[0];
-        assert!(
-            note.kind == "ignored" && note.text.to_string().contains("README.md, campaign.toml")
-                || note.text.to_string().contains("campaign.toml, README.md")
-        );
+        assert!(note.kind == "ignored" && note.text.to_string().ends_with("README.md"), "{}", note.text);
         assert!(!note.text.to_string().contains("hidden"));
         for (record, frequency) in campaign.records.iter().zip([0.02, 0.5, 2.0]) {
             assert_eq!(record.cycles.len(), 5);
@@ -697,5 +715,41 @@ mod tests {
         // Cycles begin at an upward zero crossing, which is a motion toward rebound.
         assert!(record.velocity[record.cycles[1].start] > 0.3);
         assert!((record.mean_displacement - 0.01).abs() < 2e-4);
+    }
+
+    #[test]
+    fn a_note_of_many_files_is_one_line() {
+        let lines = |files: usize| {
+            let test = cleaning::repair(crate::fixtures::SineTest::default().samples(), &Options::default()).unwrap();
+            let motions: Vec<CompleteTest> = (0..files)
+                .map(|k| {
+                    let text = Sentence::from(phrases::OF_FILE).with("file", k).with("text", "late");
+                    let notes = vec![Note { kind: "late_velocity", text }];
+                    CompleteTest { at: crate::Place::file(format!("t{k}.csv")), notes, ..test.clone() }
+                })
+                .collect();
+            let mut notes = Vec::new();
+            tell_splits(&motions, &mut notes);
+            notes.iter().map(|note| note.text.to_string()).collect::<Vec<_>>()
+        };
+        assert_eq!(lines(3).len(), 3);
+        let [line] = &lines(5)[..] else { panic!("{:?}", lines(5)) };
+        assert!(line.contains("5 files (t0.csv, t1.csv, t2.csv, ...)") && line.contains("t0.csv: 0: late"), "{line}");
+    }
+
+    #[test]
+    fn the_description_and_the_truth_of_the_virtual_rig_are_not_reported() {
+        let folder = tempfile::tempdir().unwrap();
+        let ignored = |format: &str| {
+            std::fs::write(folder.path().join("campaign.toml"), format!("format = \"{format}\"\n")).unwrap();
+            std::fs::create_dir_all(folder.path().join("sealed")).unwrap();
+            std::fs::write(folder.path().join("sealed/clean_force.csv"), "test,force_N\na,1\n").unwrap();
+            std::fs::write(folder.path().join("a.csv"), "x").unwrap();
+            let mut notes = Vec::new();
+            let found = find(&[folder.path().to_owned()], &Options::default(), &mut notes).unwrap();
+            (notes.iter().filter(|note| note.kind == "ignored").count(), found.below.len())
+        };
+        assert_eq!(ignored("dashpot rig campaign 1"), (0, 0));
+        assert_eq!(ignored("dashpot campaign profile 1"), (0, 1));
     }
 }

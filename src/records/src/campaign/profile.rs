@@ -20,6 +20,11 @@ const LARGEST: u64 = 1 << 20;
 /// Value of the entry `format` in every profile.
 pub const FORMAT: &str = "dashpot campaign profile 1";
 
+/// Beginning of the entry `format` in the description that the virtual rig writes beside its records.
+const OF_VIRTUAL_RIG: &str = "dashpot rig campaign";
+/// Name of the subfolder in which the virtual rig hides the truth about its damper. Its files are no records.
+pub(crate) const SEALED: &str = "sealed";
+
 /// The entries of a file `campaign.toml`. A missing entry means no correction, or a value determined from the records.
 #[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -130,7 +135,7 @@ impl Profile {
             Some(FORMAT) => {}
             // The virtual rig writes its description of a campaign in this format, which has no entries for reading
             // records.
-            Some(other) if other.starts_with("dashpot rig campaign") => return Ok(None),
+            Some(other) if other.starts_with(OF_VIRTUAL_RIG) => return Ok(None),
             _ => return Err(wrong(format!("it lacks the line format = \"{FORMAT}\""))),
         }
         let profile: Profile = toml::from_str(&text).map_err(|e| wrong(e.to_string().trim().to_owned()))?;
@@ -224,6 +229,14 @@ impl Profile {
         let rows = toml::to_string(self).unwrap_or_default();
         format!("# What is known about the records in this folder; every verb of dashpot obeys it.\n{rows}")
     }
+}
+
+/// Returns whether the virtual rig has written the records of a folder.
+pub(crate) fn is_of_virtual_rig(folder: &Path) -> bool {
+    let table =
+        source::text(&folder.join(FILE), LARGEST).ok().and_then(|text| toml::from_str::<toml::Table>(&text).ok());
+    let format = table.as_ref().and_then(|table| table.get("format")).and_then(toml::Value::as_str);
+    format.is_some_and(|format| format.starts_with(OF_VIRTUAL_RIG))
 }
 
 /// Returns the folder whose profile applies to a path: the path itself if it is a folder, else the folder of the file.

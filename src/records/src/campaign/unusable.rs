@@ -255,6 +255,7 @@ mod tests {
                 example: Channel::Time,
                 found: "'speed', 'force'".into(),
                 near: None,
+                angle: None,
                 units: Vec::new(),
             })
         };

@@ -789,6 +789,19 @@ mod tests {
         assert!(torn.reasons.iter().any(|r| r.to_string().contains("contradict")), "{torn:?}");
     }
 
+    /// Checks dampers with 150 N of gas whose load cell has a zero of its own, in both conventions of the rig.
+    #[test]
+    fn a_shifted_zero_of_the_load_cell_is_never_sure() {
+        for zero in [200.0, 300.0, 400.0, 800.0] {
+            for sign in [1.0, -1.0] {
+                let (finding, _, notes) = settled(campaign(sign, sign, zero - 150.0), &Options::default()).unwrap();
+                assert!(finding.confidence < UNSURE, "{zero} {sign}: {finding:?}");
+                let warning = notes.iter().find(|note| note.kind == "sign_unsure").unwrap().text.to_string();
+                assert!(warning.contains("contradict") && warning.contains("--positive"), "{warning}");
+            }
+        }
+    }
+
     #[test]
     fn the_force_at_a_speed_is_the_median_of_ten_samples() {
         let force = |samples: usize| {

@@ -1,11 +1,40 @@
 //! Handles empty and not-a-number cells: drops the rows if they are few, otherwise rejects the record.
 
+use crate::campaign::imposed_motion::motion_limit;
 use crate::data::samples::Samples;
 use crate::error::{RecordError, SampleError};
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
 use crate::tuning::missing::{FRACTION, RUN};
-use dashpot_messages::Sentence;
+use dashpot_messages::{Sentence, format_decimals};
+
+/// Makes single values missing that no sensor measures, such as the 9.9e37 of a voltmeter that overflows. A channel with
+/// many such values stays unchanged, because its unit is then the likely cause.
+pub(crate) fn forget_overflows(samples: &mut Samples) {
+    for channel in [Channel::Force, Channel::Displacement, Channel::Velocity] {
+        let limit = motion_limit(channel);
+        // The message is in the unit of the file, because the user searches the value there.
+        let own = samples.units.iter().find(|(of, _)| *of == channel).map(|(_, unit)| *unit);
+        let (factor, unit) = own.map_or((1.0, channel.si()), |unit| (unit.to_si(1.0), unit.name()));
+        let Some(values) = samples.channel_mut(channel) else { continue };
+        let beyond: Vec<usize> = (0..values.len()).filter(|&i| values[i].abs() > limit).collect();
+        let (Some(&first), true) = (beyond.first(), is_few(beyond.len(), values.len())) else { continue };
+        let (count, value) = (beyond.len(), format_decimals(values[first] / factor, 0));
+        beyond.into_iter().for_each(|i| values[i] = f64::NAN);
+        let text = Sentence::from(phrases::OVERFLOWS)
+            .with("count", count)
+            .with_sentence("channel", channel.message())
+            .with("line", samples.lines[first])
+            .with("value", value)
+            .with("unit", unit);
+        samples.note("missing", text);
+    }
+}
+
+/// Returns whether so few of the `rows` lack a value that they are dropped.
+fn is_few(count: usize, rows: usize) -> bool {
+    count as f64 <= (FRACTION * rows as f64).max(3.0)
+}
 
 /// Drops rows in which time, force or motion is missing.
 ///
@@ -23,7 +52,7 @@ pub(crate) fn drop_rows(samples: &mut Samples) -> Result<(), RecordError> {
     if count > 0 {
         let longest = missing.chunk_by(|a, b| a == b).filter(|run| run[0]).map(<[bool]>::len).max().unwrap_or(0);
         let first = missing.iter().position(|&m| m).unwrap_or(0);
-        if count as f64 > (FRACTION * rows as f64).max(3.0) || longest > RUN {
+        if !is_few(count, rows) || longest > RUN {
             let channel = NEEDED
                 .into_iter()
                 .find(|&c| samples.channel(c).is_some_and(|values| values[first].is_nan()))
@@ -125,6 +154,24 @@ mod tests {
         assert_eq!(samples.force, expected);
         let text = samples.notes[0].text.to_string();
         assert!(text.starts_with("2 of ") && text.contains("line 12, 502"));
+    }
+
+    #[test]
+    fn an_overflow_is_a_missing_value_and_no_swapped_column() {
+        for (channel, value) in [(Channel::Force, 1e300), (Channel::Displacement, 9.9e37), (Channel::Velocity, -1e30)] {
+            let mut samples = SineTest::default().samples();
+            let n = samples.len();
+            samples.channel_mut(channel).unwrap()[400] = value;
+            let pieces = crate::cleaning::sort_out(samples, &crate::Options::default()).unwrap();
+            assert_eq!((pieces.len(), pieces[0].len()), (1, n - 1));
+            let text = pieces[0].notes[0].text.to_string();
+            assert!(text.contains("line 402") && text.contains(&channel.to_string()), "{text}");
+        }
+        // A channel of which every value is too large has a wrong unit.
+        let mut samples = SineTest::default().samples();
+        samples.force.iter_mut().for_each(|force| *force = 1e12 + 1e12 * *force);
+        forget_overflows(&mut samples);
+        assert!(samples.force.iter().all(|force| force.is_finite()) && samples.notes.is_empty());
     }
 
     #[test]

@@ -7,13 +7,18 @@ use crate::quantities::channel::Channel;
 use crate::signal::noise::difference_noise;
 use crate::tuning::still::{FLICKER, RANGE, SPREAD};
 
+/// Returns whether all motion channels contain only noise.
+pub(crate) fn is_at_rest(samples: &Samples) -> bool {
+    [Channel::Displacement, Channel::Velocity].into_iter().filter_map(|c| samples.channel(c)).all(rests)
+}
+
 /// Rejects a test without motion.
 pub(crate) fn reject(samples: &Samples) -> Result<(), RecordError> {
-    let motion = [Channel::Displacement, Channel::Velocity].map(|c| samples.channel(c).map(|values| (c, values)));
     // If one motion channel is constant while the other changes, `frozen::reject` reports the fault.
-    if motion.iter().flatten().any(|(_, values)| !rests(values)) {
+    if !is_at_rest(samples) {
         return Ok(());
     }
+    let motion = [Channel::Displacement, Channel::Velocity].map(|c| samples.channel(c).map(|values| (c, values)));
     let Some((channel, values)) = motion.into_iter().flatten().next() else { return Ok(()) };
     let unit = if channel == Channel::Displacement { "mm" } else { "mm/s" };
     Err(SampleError::NoMotion { at: samples.at.clone(), channel, range: 1e3 * range(values), unit }.into())

@@ -43,10 +43,6 @@ pub(crate) fn reject(samples: &Samples, options: &Options) -> Result<(), RecordE
     if insisted(Channel::Displacement, Channel::Force) {
         return Ok(());
     }
-    let spread = |values: &[f64]| {
-        let mut finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
-        quantile(&mut finite, 0.98) - quantile(&mut finite, 0.02)
-    };
     let (move_range, force_range) = (spread(x), spread(&samples.force));
     if !(move_range > 0.0 && force_range > 0.0) {
         return Ok(());
@@ -140,11 +136,18 @@ fn forward(values: &[f64]) -> f64 {
     steps as f64 / (values.len() - 1).max(1) as f64
 }
 
-/// Computes the root mean square of the third differences relative to the range. Steps, knees and noise increase it.
+/// Returns the range of the finite values without the highest and the lowest 2 %, which may be outliers.
+fn spread(values: &[f64]) -> f64 {
+    let mut finite: Vec<f64> = values.iter().copied().filter(|v| v.is_finite()).collect();
+    quantile(&mut finite, 0.98) - quantile(&mut finite, 0.02)
+}
+
+/// Computes the root mean square of the third differences relative to the [`spread`]. Steps, knees and noise increase
+/// it.
 fn roughness(values: &[f64]) -> f64 {
     let mut sizes: Vec<f64> =
         values.windows(4).map(|w| (w[3] - 3.0 * w[2] + 3.0 * w[1] - w[0]).powi(2)).filter(|d| d.is_finite()).collect();
-    let spread = range(values);
+    let spread = spread(values);
     // The largest 0.5 % of the differences may be outliers, so they are excluded.
     let count = sizes.len();
     sizes.sort_by(f64::total_cmp);
@@ -191,6 +194,17 @@ mod tests {
     fn swap_with_force(samples: &mut Samples) {
         let x = samples.displacement.as_mut().unwrap();
         std::mem::swap(x, &mut samples.force);
+    }
+
+    #[test]
+    fn a_spike_is_no_evidence_of_swapped_headings() {
+        for height in [1e4, 1e7] {
+            let with_spike = |s: &mut Samples| {
+                s.velocity = None;
+                s.force[700] = height;
+            };
+            assert_eq!(said(with_spike), "");
+        }
     }
 
     #[test]

@@ -57,24 +57,8 @@ pub(crate) fn find<'a>(
     units: Option<&mut Vec<String>>,
     above: impl Iterator<Item = &'a str>,
 ) -> Option<Crank> {
-    let (mut index, mut turn) = (None, 360.0);
-    for (k, heading) in header.iter().enumerate() {
-        let (name, unit) = parted(heading);
-        let below = units.as_ref().and_then(|units| units.get(k)).map(String::as_str);
-        let turn_of = |unit: &str| match unit.trim().trim_matches(|c| "[]()".contains(c)).to_lowercase().as_str() {
-            "deg" | "°" | "degree" | "degrees" | "grad" | "度" => Some(360.0),
-            "rad" => Some(std::f64::consts::TAU),
-            "rev" | "turns" => Some(1.0),
-            _ => None,
-        };
-        let found = unit.or(below).and_then(turn_of);
-        if ANGLES.contains(&name.as_str()) && (found.is_some() || unit.or(below).unwrap_or_default().trim().is_empty())
-        {
-            (index, turn) = (Some(k), found.unwrap_or(360.0));
-            break;
-        }
-    }
-    let index = index?;
+    let below = |k: usize| units.as_ref().and_then(|units| units.get(k)).map(String::as_str);
+    let (index, turn) = header.iter().enumerate().find_map(|(k, heading)| Some((k, turn_of(heading, below(k))?)))?;
     let rpm = above.filter_map(speed).last()?;
     header[index] = TIME.to_owned();
     if let Some(units) = units
@@ -83,6 +67,25 @@ pub(crate) fn find<'a>(
         *unit = "s".to_owned();
     }
     Some(Crank { index, rpm, seconds: 60.0 / (rpm * turn), turn, turns: 0.0, last: None })
+}
+
+/// Returns whether a heading names the angle of a crank.
+pub(crate) fn is_angle(heading: &str) -> bool {
+    turn_of(heading, None).is_some()
+}
+
+/// Returns the angle of a full turn in the unit of a column of crank angles. `below` is the cell of the row of units.
+/// Returns `None` for a column of another quantity or in another unit.
+fn turn_of(heading: &str, below: Option<&str>) -> Option<f64> {
+    let (name, unit) = parted(heading);
+    let unit = unit.or(below).unwrap_or_default().trim().trim_matches(|c| "[]()".contains(c)).to_lowercase();
+    let turn = match unit.as_str() {
+        "" | "deg" | "°" | "degree" | "degrees" | "grad" | "度" => 360.0,
+        "rad" => std::f64::consts::TAU,
+        "rev" | "turns" => 1.0,
+        _ => return None,
+    };
+    ANGLES.contains(&name.as_str()).then_some(turn)
 }
 
 impl Crank {

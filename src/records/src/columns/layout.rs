@@ -1,5 +1,6 @@
 //! Assigns the columns of a table to channels and units, by their headings, the row of units and the user's options.
 
+use super::crank;
 use super::heading::{
     Heading, HeadingUnit, by_unit, heading, is_plain, is_setpoint, is_stopgap, nearest, nearest_to, unit_of_command,
     unit_of_current, without_unit, written_unit,
@@ -348,9 +349,9 @@ impl Assigned {
             let free = (0..header.texts.len()).filter(|i| !self.contains(*i)).map(|i| header.texts[i]);
             let near = maybe(nearest_to(example, &free.collect::<Vec<_>>()));
             let units = self.without_unit.iter().map(|(channel, _)| *channel).collect();
-            return Err(
-                ColumnError::MissingColumn { at, line, missing, example, found: header.list(), near, units }.into()
-            );
+            let angle = header.texts.iter().find(|text| crank::is_angle(text)).map(|text| (*text).to_owned());
+            let found = header.list();
+            return Err(ColumnError::MissingColumn { at, line, missing, example, found, near, angle, units }.into());
         }
         if !self.without_unit.is_empty() {
             let (columns, headed) = (self.without_unit.clone(), header.is_headed());

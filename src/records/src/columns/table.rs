@@ -2,6 +2,7 @@
 
 use std::collections::HashMap;
 
+use super::crank;
 use super::heading::{Heading, by_unit, heading, vocabulary};
 use super::layout::{LISTED, Layout, MOST_COLUMNS, channel_of, names};
 use crate::data::record::{Note, UNREAD_CURRENT};
@@ -114,7 +115,11 @@ pub(crate) fn no_header_near<S: AsRef<str>>(at: &Place, first_line: &str, lines:
     let first = lines.first();
     let figures =
         |cells: &[S]| cells.len() > 1 && cells.iter().all(|c| number(c.as_ref(), true).is_some_and(f64::is_finite));
+    let angle = lines.iter().flat_map(|(_, cells)| cells).map(AsRef::as_ref).find(|cell| crank::is_angle(cell));
     let near = match (best, first) {
+        _ if angle.is_some() => {
+            Some(Sentence::from(phrases::ANGLE_ALONE).with("column", shortened(angle.unwrap_or_default())))
+        }
         (Some((line, known)), _) if !known.is_empty() => {
             let said = |(channel, text): &(Channel, String)| {
                 Sentence::from(phrases::TAKEN_FOR).with("column", text).with_sentence("channel", channel.message())

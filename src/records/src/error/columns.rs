@@ -36,6 +36,8 @@ pub enum ColumnError {
         example: Channel,
         found: String,
         near: Option<Sentence>,
+        /// Heading of a column of crank angles, if the table has one.
+        angle: Option<String>,
         units: Vec<Channel>,
     },
 
@@ -85,10 +87,14 @@ impl ColumnError {
             ColumnError::Header { understood, .. } => {
                 Sentence::from(phrases::UNDERSTOOD).with_sentence("header", self.fault()).with("understood", understood)
             }
-            ColumnError::MissingColumn { at, line, missing, example, found, near, units } => {
+            ColumnError::MissingColumn { at, line, missing, example, found, near, angle, units } => {
                 let units = (!units.is_empty())
                     .then(|| Sentence::from(phrases::UNITS_TOO).with("options", unit_options(units.iter().copied())));
-                let otherwise = (*example == Channel::Time).then(|| phrases::OR_SAMPLE_RATE.into());
+                // One sampling rate would give the tests of a crank the same time at each speed.
+                let otherwise = (*example == Channel::Time).then(|| match angle {
+                    Some(column) => Sentence::from(phrases::OR_CRANK_SPEED).with("column", column),
+                    None => phrases::OR_SAMPLE_RATE.into(),
+                });
                 locate_line(phrases::MISSING_COLUMN, at, line)
                     .with_word("missing", missing)
                     .with("found", found)

@@ -40,6 +40,7 @@ dashpot_messages::phrases! {
     LONGER_ROWS: "{count|# row holds|# rows hold} more figures than the heading has columns, so that it is not sure which is which; {count|this row is|these rows are} left out (line {lines}). Too many in the first: {text}";
     // Gaps in time.
     OF_FILE: "{file}: {text}";
+    OF_FILES: "{count|# file|# files} ({names}, ...) with the same kind of remark, the first: {text}";
     GAPS: "gaps in time: {places}{more}. Read as {count|# test|# tests}{rest}";
     GAP: "{seconds} s without samples after {from} s (line {line})";
     MORE_GAPS: " and {count} more";
@@ -51,6 +52,7 @@ dashpot_messages::phrases! {
     AT_SETTINGS: "{count} tests one after the other without a rest, told apart where stroke or frequency changes and stays; the clock goes on, so that heat carries over";
     AT_RESTS: "{count} tests one after the other, told apart at the rests between them by the motion before and after; the rests are cut off around whole cycles, and the clock goes on, so that heat carries over";
     // Rows.
+    OVERFLOWS: "{count|# value|# values} of {channel} {count|is|are} larger than any sensor measures, first {value} {unit} in line {line}; {count|it counts|they count} as missing";
     ROWS_DROPPED: "{count} of {rows} rows dropped for empty or not-a-number cells (line {lines})";
     SETTING_HELD: "{count} of {rows} values of the setting '{setting}' {count|is|are} missing; each is taken as the one before it";
     SETTING_START: "the setting '{setting}' is on its way to its value for {seconds} s; this start was cut off";
@@ -159,6 +161,7 @@ dashpot_messages::phrases! {
     MAT: "{file}: cannot be read as a MAT file ({cause}); save it again with save(..., '-v7')";
     NO_HEADER: "{at}: no header line found that names time and other channels; the first line reads '{found}'.{near}";
     BEST_LINE: " Best understood is line {line}, with {known}; a heading needs two columns that are understood.";
+    ANGLE_ALONE: " Column '{column}' is the angle of a crank. It gives the time if a line above the table states the speed, as in 'Speed: 6 rpm'. The motion is not worked out from it: export the displacement too, in a column of its own.";
     TAKEN_FOR: "'{column}' for {channel}";
     FIGURES_ALONE: " It holds {count|# column|# columns} of figures without headings: say all at once which is which, by their numbers, and in which units, as in {options}.";
     NO_DATA: "{at}: has a header but no data rows";
@@ -193,6 +196,7 @@ dashpot_messages::phrases! {
     LABELS_MIRRORED: "Each of them has the force of the {name} counted from the other end. Check which end these and the other tests count from; corrected values go into campaign.toml under settings";
     MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}{units}";
     UNITS_TOO: ". Units are missing too: give them as the file has them, as in {options}";
+    OR_CRANK_SPEED: ", or state the speed of the crank in a line above the table, as in 'Speed: 6 rpm'; column '{column}' then gives the time";
     OR_SAMPLE_RATE: ", or, where the file has none, say --sample-rate 1000 (samples per second)";
     SEVERAL_COLUMNS: "{at}, line {line}: several columns could be {channel}: {names}; choose one with --column {channel}=\"{first}\"";
     NO_SUCH_COLUMN: "{at}, line {line}: there is no column '{wanted}' for {channel}; the columns are {found}.{near}";

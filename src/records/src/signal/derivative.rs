@@ -3,8 +3,12 @@
 use nalgebra::{Matrix4, Vector4};
 
 use super::smoothing::channel_noise;
-use crate::numbers::{quantum, sample_time};
+use crate::numbers::{quantum, restrict, sample_time};
 use crate::tuning::derivative::{LONGER, REACH, SAME};
+
+/// Number of samples on each side of the center of the shortest window: the smallest with a degree of freedom for a
+/// cubic.
+const SHORTEST: usize = 2;
 
 /// Properties of the filter with which a derivative was computed.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +33,8 @@ pub(crate) struct Filter {
 /// record, the window is one-sided. If the motion turns within the window, as at the corners of a triangular motion, a
 /// cubic would round the corner and overshoot. The sample then has the longest window whose slope agrees with the
 /// slopes of all shorter windows within their noise. This is the intersection of confidence intervals of Goldenshluger
-/// and Nemirovski (Math. Methods Stat. 6, 1997).
+/// and Nemirovski (Math. Methods Stat. 6, 1997). Even the shortest window may contain the corner; [`limited`] removes
+/// the overshoot of its cubic.
 pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> (Vec<f64>, Filter) {
     let n = time.len();
     let step = sample_time(time);
@@ -37,6 +42,8 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
     let noise = displacement_noise(displacement);
     let (mut low, mut high) = (vec![f64::NEG_INFINITY; n], vec![f64::INFINITY; n]);
     let mut velocity = vec![0.0; n];
+    // Number of samples on each side of the center of the window that gives the velocity, for each sample.
+    let mut chosen = vec![0; n];
     // Whether the slopes of all windows so far agree, for each sample.
     let mut agree = vec![true; n];
     // Weights of the longest window.
@@ -51,26 +58,67 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
             (low[i], high[i]) = (low[i].max(slopes[i] - spread), high[i].min(slopes[i] + spread));
             agree[i] = low[i] <= high[i];
             if agree[i] {
-                velocity[i] = slopes[i];
+                (velocity[i], chosen[i]) = (slopes[i], reach);
             }
         }
         last = weights;
+    }
+    // A single window has no other to disagree with. A corner in it shows by its residuals alone.
+    let unseen = if longest <= SHORTEST { (SAME * noise).powi(2) } else { f64::INFINITY };
+    for i in 0..n {
+        let least = if agree[i] { unseen } else { 0.0 };
+        if least.is_finite() {
+            velocity[i] = limited((time, displacement), i, chosen[i], velocity[i], least);
+        }
     }
     let shorter = agree.iter().filter(|same| !**same).count() as f64 / n.max(1) as f64;
     let window = 2.0 * longest as f64 * step;
     (velocity, Filter { points: 2 * longest + 1, window, bandwidth: bandwidth(&last, step), shorter })
 }
 
+/// Limits the slope `cubic`, m/s, of the cubic over the window with `reach` samples on each side of the sample `at`, if
+/// this window contains a corner of the motion.
+///
+/// A cubic across a corner overshoots by up to a sixth of the velocity step. The half of the window without the corner
+/// is then a straight line, and its residual variance is smaller than that of the cubic. In this case, the slope is
+/// limited to the range of the slopes of both halves. A window without a corner keeps the slope of its cubic, and so
+/// does one whose cubic has a residual variance of at most `least`, m².
+fn limited((time, displacement): (&[f64], &[f64]), at: usize, reach: usize, cubic: f64, least: f64) -> f64 {
+    if at < reach || at + reach >= time.len() || reach < 2 {
+        return cubic;
+    }
+    let fit = |window: std::ops::RangeInclusive<usize>, order| {
+        let (t, x) = (&time[window.clone()], &displacement[window.clone()]);
+        polynomial(t, x, at - window.start(), order)
+    };
+    let (Some(whole), Some(before), Some(after)) =
+        (fit(at - reach..=at + reach, 3), fit(at - reach..=at, 1), fit(at..=at + reach, 1))
+    else {
+        return cubic;
+    };
+    if whole.variance > least && before.variance.min(after.variance) < whole.variance {
+        restrict(cubic, before.slope.min(after.slope), before.slope.max(after.slope))
+    } else {
+        cubic
+    }
+}
+
 /// Returns the numbers of samples on each side of the center of successive windows, up to the `longest`.
 fn reaches(longest: usize) -> impl Iterator<Item = usize> {
     let next = move |reach: &usize| (*reach < longest).then(|| ((LONGER * *reach as f64).ceil() as usize).min(longest));
-    std::iter::successors(Some(longest.min(2)), next)
+    std::iter::successors(Some(longest.min(SHORTEST)), next)
 }
 
-/// Returns the standard deviation of the white noise of a displacement channel, m, at least that of its quantization.
+/// Returns the standard deviation of the white noise of a displacement channel, m. If most samples equal their
+/// neighbor, it is at least that of the quantization.
+///
+/// In a motion by more than the resolution in each sample, the smallest step is the motion itself. The noise of the
+/// channel then contains the quantization error.
 fn displacement_noise(displacement: &[f64]) -> f64 {
+    let repeated = displacement.windows(2).filter(|pair| pair[0] == pair[1]).count();
+    let resolution = if 2 * repeated > displacement.len() { quantum(displacement) } else { 0.0 };
     // The quantization error has a variance of a twelfth of the squared step.
-    channel_noise(displacement).max(quantum(displacement) / 12f64.sqrt())
+    channel_noise(displacement).max(resolution / 12f64.sqrt())
 }
 
 /// Slopes of the cubics over windows of one length, with the same number of samples on both sides.
@@ -109,6 +157,43 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
     Slopes { slopes: velocity, gains, weights }
 }
 
+/// Returns the powers 0 to `order` of the scaled time `u`. The higher powers are 0.
+fn powers(u: f64, order: usize) -> Vector4<f64> {
+    let mut row = Vector4::new(1.0, u, u * u, u * u * u);
+    for k in order + 1..4 {
+        row[k] = 0.0;
+    }
+    row
+}
+
+/// Least-squares polynomial of the displacements in a window.
+struct Polynomial {
+    /// Slope at the sample for which the window was chosen, m/s.
+    slope: f64,
+    /// Sum of squared residuals divided by the degrees of freedom, m².
+    variance: f64,
+}
+
+/// Fits a polynomial of the degree `order` to displacements, m, at the times `time`, s. Its slope is that at the sample
+/// `at`. Returns `None` without a degree of freedom.
+fn polynomial(time: &[f64], displacement: &[f64], at: usize, order: usize) -> Option<Polynomial> {
+    let freedom = time.len().checked_sub(order + 1).filter(|freedom| *freedom > 0)?;
+    let scale = (time[time.len() - 1] - time[0]) / 2.0;
+    let row = |t: f64| powers((t - time[at]) / scale, order);
+    let (mut normal, mut right) = (Matrix4::zeros(), Vector4::zeros());
+    for (&t, x) in time.iter().zip(displacement) {
+        normal += row(t) * row(t).transpose();
+        right += row(t) * (x - displacement[at]);
+    }
+    for k in order + 1..4 {
+        normal[(k, k)] = 1.0;
+    }
+    let solution = normal.lu().solve(&right)?;
+    let residual = |t: f64, x: f64| x - displacement[at] - row(t).dot(&solution);
+    let squares: f64 = time.iter().zip(displacement).map(|(&t, x)| residual(t, *x).powi(2)).sum();
+    Some(Polynomial { slope: solution[1] / scale, variance: squares / freedom as f64 })
+}
+
 /// Computes the weights, 1/s, of the values at the times `time`, s, for the derivative of their least-squares cubic at
 /// the sample `at`.
 ///
@@ -116,14 +201,7 @@ fn slopes(time: &[f64], displacement: &[f64], reach: usize) -> Slopes {
 fn slope_weights(time: &[f64], at: usize) -> Vec<f64> {
     let scale = (time[time.len() - 1] - time[0]) / 2.0;
     let order = (time.len() - 1).min(3);
-    let powers = |t: f64| {
-        let u = (t - time[at]) / scale;
-        let mut row = Vector4::new(1.0, u, u * u, u * u * u);
-        for k in order + 1..4 {
-            row[k] = 0.0;
-        }
-        row
-    };
+    let powers = |t: f64| powers((t - time[at]) / scale, order);
     let mut normal = Matrix4::zeros();
     for &t in time {
         let row = powers(t);
@@ -191,6 +269,7 @@ mod tests {
     use proptest::prelude::*;
 
     use super::*;
+    use crate::fixtures::Random;
 
     fn sine(frequency: f64, rate: f64, n: usize) -> (Vec<f64>, Vec<f64>, Vec<f64>) {
         let time: Vec<f64> = (0..n).map(|i| i as f64 / rate).collect();
@@ -256,6 +335,40 @@ mod tests {
         // For a sine with the same noise, nearly all samples have the longest window.
         let x: Vec<f64> = time.iter().map(|t| 0.05 * libm::sin(TAU * frequency * t) + 2e-6 * white()).collect();
         assert!(differentiate(&time, &x, 1.0 / (12.0 * frequency)).1.shorter < 2e-3);
+    }
+
+    /// Checks that no sample near a corner is faster than the motion, for sharp and rounded corners at and between
+    /// samples, with and without noise.
+    #[test]
+    fn a_corner_does_not_overshoot() {
+        let (speed, half) = (0.4, 0.15);
+        for (step, shift, rounding, noise) in [
+            (0.002, 0.0, 0.0, 0.0),
+            (0.002, 0.001, 0.0, 0.0),
+            (0.002, 0.0004, 0.0, 1e-6),
+            (0.0005, 0.0001, 0.0, 1e-6),
+            (0.005, 0.0, 0.0, 0.0),
+            (0.002, 0.0007, 0.005, 0.0),
+            (0.0005, 0.0001, 0.005, 1e-6),
+            (0.005, 0.002, 0.005, 0.0),
+        ] {
+            let mut random = Random::new(7);
+            let time: Vec<f64> = (0..(0.9 / step) as usize).map(|i| i as f64 * step + shift).collect();
+            // A rounded corner is a parabola over the time `rounding`, s.
+            let triangle = |t: f64| {
+                let phase = (t / half).rem_euclid(2.0);
+                let from = half * (phase - phase.round()).abs();
+                let bend = if from < 0.5 * rounding { (0.5 * rounding - from).powi(2) / rounding } else { 0.0 };
+                let towards = if phase.round() as i64 == 1 { half - from - bend } else { from + bend };
+                speed * towards
+            };
+            let x: Vec<f64> = time.iter().map(|t| triangle(*t) + noise * random.normal()).collect();
+            let (v, _) = differentiate(&time, &x, half / 6.0);
+            let inside = 3..time.len() - 3;
+            let fastest = v[inside].iter().fold(0.0, |most: f64, v| most.max(v.abs()));
+            let largest = speed + 4.0 * noise / step;
+            assert!(fastest <= 1.03 * largest, "{step} {shift} {rounding} {noise}: {fastest}");
+        }
     }
 
     proptest! {

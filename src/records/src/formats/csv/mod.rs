@@ -225,6 +225,21 @@ mod tests {
     }
 
     #[test]
+    fn a_crank_angle_is_told_what_it_lacks() {
+        let message = |text: &str| try_read(text).unwrap_err().to_string();
+        for head in [
+            "Speed: 6 rpm\nStroke: 50 mm\nCrank angle [deg],Force [N]\n",
+            "Drehzahl: 6 1/min\nHub: 50 mm\nKurbelwinkel [°];Kraft [N]\n",
+        ] {
+            let alone = message(&format!("{head}0,1\n1,2\n"));
+            assert!(alone.contains("is the angle of a crank") && alone.contains("column of its own"), "{alone}");
+        }
+        let without_speed = message("Crank angle [deg],Displacement [mm],Force [N],rpm\n0,1,1,6\n1,2,2,6\n");
+        assert!(without_speed.contains("as in 'Speed: 6 rpm'"), "{without_speed}");
+        assert!(!without_speed.contains("--sample-rate"), "{without_speed}");
+    }
+
+    #[test]
     fn a_column_is_found_by_its_unit_where_no_heading_names_it() {
         for (header, guessed) in [
             ("time (s),displacement (in),friction force (kip)", 1),
