@@ -517,6 +517,7 @@ col-share-of-force = Anteil an der Kraft
 col-status = Stand
 status-kept = behalten
 status-added = hinzugefügt
+status-added-unnamed = hinzugefügt, nicht genannt
 status-replaced = ersetzt
 status-removed = entfernt
 replaces = anstelle von { $effect }

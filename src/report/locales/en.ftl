@@ -511,6 +511,7 @@ col-share-of-force = fraction of the force
 col-status = status
 status-kept = kept
 status-added = added
+status-added-unnamed = added, not named
 status-replaced = replaced
 status-removed = removed
 replaces = in place of { $effect }

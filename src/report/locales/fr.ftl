@@ -523,6 +523,7 @@ col-share-of-force = part de l’effort
 col-status = état
 status-kept = conservé
 status-added = ajouté
+status-added-unnamed = ajouté, non nommé
 status-replaced = remplacé
 status-removed = retiré
 replaces = à la place ‹de›{ $effect }

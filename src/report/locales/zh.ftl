@@ -466,6 +466,7 @@ col-share-of-force = 占力的比例
 col-status = 状态
 status-kept = 保留
 status-added = 新增
+status-added-unnamed = 新增，未命名
 status-replaced = 被取代
 status-removed = 移除
 replaces = 取代{ $effect }

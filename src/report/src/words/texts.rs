@@ -439,6 +439,7 @@ dashpot_messages::interface! {
         col_status,
         status_kept,
         status_added,
+        status_added_unnamed,
         status_replaced,
         status_removed,
         replaces(effect),
