@@ -466,7 +466,7 @@ whole-records-refitted = Over every sample of all records, as dashpot validate m
 
 name-and-sure = { $name } ({ $sure } sure)
 picture-named = This damper shows: { $names }
-picture-nothing = Nothing is missing
+picture-nothing = No known effect is missing
 picture-cannot-tell = Something is missing, and these records cannot tell what
 picture-unknown = Something is missing that no known effect explains
 picture-below = Above: test { $test }, { $kind }. Below: every test.
