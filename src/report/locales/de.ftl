@@ -1613,6 +1613,7 @@ identification-roads = { $roads ->
     } von je { $seconds } s gerechnet, die jeden ihrer Wege und jede ihrer Geschwindigkeiten berühren; Fehler über ganze Aufzeichnungen zählen jeden Messpunkt
 identification-selected = die Messreihe hat { $all } Versuche, mehr als eine Suche nutzen kann: { $selected } davon stehen für alle, aus jeder Amplitude, Geschwindigkeit, Mittellage, Temperatur und Seitenkraft, über die ganze Reihe verteilt. Fehler über ganze Aufzeichnungen zählen alle Versuche; um selbst zu wählen, --exclude oder einen kleineren Ordner angeben
 identification-no-slow-test = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): die Reibung kommt aus den langsamen Teilen schnellerer Versuche
+identification-no-slow-test-no-friction = es gibt keinen langsamen Versuch mit ganzen Zyklen (Spitze unter { $velocity } mm/s): ein solcher zeigt Reibung am besten, und das Modell hat keine
 identification-one-amplitude = alle Versuche haben fast dieselbe Amplitude: Feder und Reihensteifigkeit beruhen allein auf der Frequenz
 identification-one-amplitude-of-spring = alle Versuche haben fast dieselbe Amplitude: die Feder beruht allein auf der Frequenz
 identification-one-amplitude-of-series = alle Versuche haben fast dieselbe Amplitude: die Reihensteifigkeit beruht allein auf der Frequenz

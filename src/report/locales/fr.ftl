@@ -1658,6 +1658,7 @@ identification-roads = { $roads ->
     } pour parcourir tous les déplacements et toutes les vitesses ; les erreurs sur enregistrements entiers comptent chaque échantillon
 identification-selected = la campagne compte { $all } essais, plus qu’une recherche n’en peut utiliser : { $selected } d’entre eux représentent l’ensemble, de chaque amplitude, vitesse, position moyenne, température et effort latéral, répartis sur toute sa durée. Les erreurs sur enregistrements entiers comptent tous les essais ; pour choisir soi-même, donner --exclude ou un dossier plus petit
 identification-no-slow-test = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : le frottement est tiré des parties lentes d’essais plus rapides
+identification-no-slow-test-no-friction = il n’y a pas d’essai lent à cycles complets (pointe sous { $velocity } mm/s) : un tel essai montre le mieux le frottement, et le modèle n’en a pas
 identification-one-amplitude = tous les essais ont presque la même amplitude : le ressort et la raideur série ne reposent que sur la fréquence
 identification-one-amplitude-of-spring = tous les essais ont presque la même amplitude : le ressort ne repose que sur la fréquence
 identification-one-amplitude-of-series = tous les essais ont presque la même amplitude : la raideur série ne repose que sur la fréquence

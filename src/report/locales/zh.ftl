@@ -1406,6 +1406,7 @@ identification-one-test = 在单个试验中，力通道滞后与串联路径偏
 identification-roads = { $roads } 个没有循环的长试验各以 { $stretches } 段、每段 { $seconds } s 计算，所选各段经过其全部位移和速度；全记录误差计入每个采样点
 identification-selected = 本次测量有 { $all } 个试验，多于搜索所能使用的数量：以其中 { $selected } 个代表全部，涵盖各种振幅、速度、平均位置、温度和侧向力，并分布于整个过程。全记录误差计入所有试验；若要自行选择，请使用 --exclude 或较小的文件夹
 identification-no-slow-test = 没有含完整循环的慢速试验（峰值低于 { $velocity } mm/s）：摩擦取自较快试验的慢速部分
+identification-no-slow-test-no-friction = 没有含完整循环的慢速试验（峰值低于 { $velocity } mm/s）：这种试验最能显示摩擦，而模型没有摩擦
 identification-one-amplitude = 所有试验的振幅几乎相同：弹簧和串联刚度仅由频率确定
 identification-one-amplitude-of-spring = 所有试验的振幅几乎相同：弹簧仅由频率确定
 identification-one-amplitude-of-series = 所有试验的振幅几乎相同：串联刚度仅由频率确定
