@@ -1897,6 +1897,7 @@ dimensions-gas-spring-open = die Messungen lassen die Gassteifigkeit offen; lang
 dimensions-volume-from = es folgt aus Druck und Steifigkeit des Gases
 dimensions-column-from = die Steifigkeit der Säule ist die einer Kammer mit Fläche und Länge
 dimensions-no-column = das Modell hat weder Ölsäule noch Reihenfeder, die die Messungen bestimmen
+dimensions-eyes-too-soft = die angegebenen Augen sind, innerhalb ihrer Toleranz, weicher als Augen und Öl zusammen im Modell
 dimensions-no-modulus = der effektive Modul ist nicht bekannt
 dimensions-tube-expands = das Rohr dehnt sich mit dem Öl
 dimensions-stroke-from = der Weg, den Luft nachgibt, hängt von ihrem Druck und der Länge der Kammer ab

@@ -1942,6 +1942,7 @@ dimensions-gas-spring-open = les mesures laissent la raideur du gaz ouverte ; de
 dimensions-volume-from = il découle de la pression et de la raideur du gaz
 dimensions-column-from = la raideur de la colonne est celle d’une chambre de section et de longueur données
 dimensions-no-column = le modèle n’a ni colonne d’huile ni ressort en série que les mesures déterminent
+dimensions-eyes-too-soft = les œillets indiqués sont, dans leur tolérance, plus souples que les œillets et l’huile ensemble dans le modèle
 dimensions-no-modulus = le module effectif n’est pas connu
 dimensions-tube-expands = le tube se dilate avec l’huile
 dimensions-stroke-from = la course que cède l’air dépend de sa pression et de la longueur de la chambre

@@ -1681,6 +1681,7 @@ dimensions-gas-spring-open = 记录不能确定气体刚度；覆盖全行程的
 dimensions-volume-from = 由气体的压力和刚度得出
 dimensions-column-from = 油柱刚度取决于腔室的面积和长度
 dimensions-no-column = 模型没有由记录确定的油柱或串联弹簧
+dimensions-eyes-too-soft = 在其公差范围内，给定的吊环比模型中吊环与油的整体更软
 dimensions-no-modulus = 有效模量未知
 dimensions-tube-expands = 缸筒随油液膨胀
 dimensions-stroke-from = 空气让出的行程取决于其压力和腔室长度
