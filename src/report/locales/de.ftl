@@ -398,6 +398,7 @@ quality-beyond-noise = das { $ratio }-Fache des Rauschens der Messungen ({ $nois
 quality-noise-unknown = das Rauschen dieser Messungen ist nicht bekannt
 quality-curve-worse = die FV-Kurve allein verfehlt sie um { $error } N ({ $percent } %), { $ratio }-mal so viel
 quality-curve-no-worse = die FV-Kurve allein ist etwa gleich gut oder besser, { $error } N ({ $percent } %)
+quality-worst = Am schlechtesten ist es in { $test }: im Mittel { $error } N ({ $percent } % der größten Kraft dieses Versuchs; die FV-Kurve allein { $curve } N).
 fit-measured = Fehler der Messung
 fit-tests = Angepasste Versuche
 remarks = Bemerkungen

@@ -392,6 +392,7 @@ quality-beyond-noise = { $ratio } times the noise of the records ({ $noise } N),
 quality-noise-unknown = the noise of these records is not known
 quality-curve-worse = the FV curve alone misses it by { $error } N ({ $percent } %), { $ratio } times as much
 quality-curve-no-worse = the FV curve alone is about as good or better, { $error } N ({ $percent } %)
+quality-worst = It is worst in { $test }, by { $error } N on average ({ $percent } % of the largest force of that test; the FV curve alone by { $curve } N).
 fit-measured = What the measurement is off by
 fit-tests = Tests fitted
 remarks = Remarks

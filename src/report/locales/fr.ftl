@@ -401,6 +401,7 @@ quality-beyond-noise = { $ratio } fois le bruit des mesures ({ $noise } N) : les
 quality-noise-unknown = le bruit de ces mesures n’est pas connu
 quality-curve-worse = la courbe FV seule s’en écarte de { $error } N ({ $percent } %), { $ratio } fois autant
 quality-curve-no-worse = la courbe FV seule est à peu près aussi bonne ou meilleure, { $error } N ({ $percent } %)
+quality-worst = Le pire essai est { $test } : { $error } N en moyenne ({ $percent } % de l’effort maximal de cet essai ; la courbe FV seule { $curve } N).
 fit-measured = Erreurs de la mesure
 fit-tests = Essais ajustés
 remarks = Remarques

@@ -353,6 +353,7 @@ quality-beyond-noise = 为记录噪声（{ $noise } N）的 { $ratio } 倍，即
 quality-noise-unknown = 这些记录的噪声未知
 quality-curve-worse = 仅用 FV 曲线的偏差为 { $error } N（{ $percent } %），是其 { $ratio } 倍
 quality-curve-no-worse = 仅用 FV 曲线时偏差大致相同或更小，为 { $error } N（{ $percent } %）
+quality-worst = 最差的试验是 { $test }：平均 { $error } N（该试验最大力的 { $percent } %；仅用 FV 曲线为 { $curve } N）。
 fit-measured = 测量本身的误差
 fit-tests = 用于拟合的试验
 remarks = 备注

@@ -340,6 +340,7 @@ dashpot_messages::interface! {
         quality_noise_unknown,
         quality_curve_worse(error percent ratio),
         quality_curve_no_worse(error percent),
+        quality_worst(test error percent curve),
         fit_measured,
         fit_tests,
         remarks,
