@@ -106,12 +106,6 @@ pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsEr
     quality_of(&compared)
 }
 
-/// Returns the mean magnitude of the noise of records, N, or zero if unknown.
-fn mean_noise(records: &[&Record]) -> f64 {
-    let known: Vec<f64> = records.iter().map(|record| record.noise.force_rms).filter(|rms| *rms > 0.0).collect();
-    known.iter().sum::<f64>() / known.len().max(1) as f64 * MEAN_OF_RMS
-}
-
 /// Mean magnitude of normally distributed noise over its root mean square, √(2/π).
 const MEAN_OF_RMS: f64 = 0.797_884_560_802_865_4;
 
@@ -160,19 +154,26 @@ pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality
 
 /// Computes the quality over compared records.
 fn quality_of(compared: &[Compared<'_>]) -> Result<Quality, WholeRecordsError> {
-    let Validation { overall, tests, .. } = validate(compared)?;
-    let records: Vec<&Record> = compared.iter().map(|of| of.record).collect();
-    let of_test = |(test, record): (TestValidation, &&Record)| TestQuality {
-        name: test.name,
-        errors: test.errors,
-        noise_n: record.noise.force_rms.max(0.0) * MEAN_OF_RMS,
-    };
-    Ok(Quality {
-        model: overall.errors.model,
-        fv_only: overall.errors.fv_only,
-        noise_n: mean_noise(&records),
-        tests: tests.into_iter().zip(&records).map(of_test).collect(),
-    })
+    Ok(Quality::of_validation(&validate(compared)?))
+}
+
+impl Quality {
+    /// Returns the quality of the model of a validation.
+    pub fn of_validation(found: &Validation) -> Quality {
+        let of_test = |test: &TestValidation| TestQuality {
+            name: test.name.clone(),
+            errors: test.errors,
+            noise_n: test.noise_rms_n.max(0.0) * MEAN_OF_RMS,
+        };
+        let tests: Vec<TestQuality> = found.tests.iter().map(of_test).collect();
+        let known: Vec<f64> = tests.iter().map(|test| test.noise_n).filter(|noise| *noise > 0.0).collect();
+        Quality {
+            model: found.overall.errors.model,
+            fv_only: found.overall.errors.fv_only,
+            noise_n: known.iter().sum::<f64>() / known.len().max(1) as f64,
+            tests,
+        }
+    }
 }
 
 /// Computes the quality of an adjustable damper over the tests of its fit in which the setting changes. Returns `None` without such tests.
