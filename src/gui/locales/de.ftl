@@ -194,6 +194,7 @@ replacing = Das von Hand eingestellte Modell ersetzen?
 replacing-unsaved = Seine Werte stehen noch in keiner Datei. Rückgängig holt es zurück, solange das Fenster offen ist.
 replace-anyway = Ersetzen
 old-result = Veraltet: Modell, Messungen oder ausgewählte Versuche haben sich seither geändert
+percent-of = Eine Amplitude ist in Prozent der größten Kraft dort, bei jeder Einstellung. Die anderen Zeilen sind Mittel von Versuchen, jeder in Prozent seiner eigenen größten Kraft.
 diagnosed-at = Nur für die Einstellung des Schiebers, { $setting }: { $tests } der angehakten Versuche. Die anderen Einstellungen sind hier nicht diagnostiziert; dashpot diagnose prüft alle.
 provisional = Von einem Zyklus jedes Versuchs, solange sich das Modell ändert; die ganzen Messungen folgen
 steady-force = stationäre Kraft des Modells (mit Reibung und Gas)

@@ -194,6 +194,7 @@ replacing = Replace the model tuned by hand?
 replacing-unsaved = Its values are in no file yet. Undo brings it back while the window is open.
 replace-anyway = Replace
 old-result = Out of date: the model, the records or the ticked tests have changed since
+percent-of = An amplitude is in percent of the largest force there, at any setting. The other rows are means of tests, each in percent of its own largest force.
 diagnosed-at = Only of the setting of the slider, { $setting }: { $tests } of the ticked tests. The other settings are not diagnosed here; dashpot diagnose does all.
 provisional = Of one cycle of each test, as long as the model changes; the whole records follow
 steady-force = steady force of the model (friction and gas included)

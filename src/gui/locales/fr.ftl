@@ -194,6 +194,7 @@ replacing = Remplacer le modèle réglé à la main ?
 replacing-unsaved = Ses valeurs ne sont encore dans aucun fichier. Annuler le ramène tant que la fenêtre est ouverte.
 replace-anyway = Remplacer
 old-result = Périmé : le modèle, les mesures ou les essais cochés ont changé depuis
+percent-of = Une amplitude est en pour cent de l’effort maximal à cette amplitude, tous réglages compris. Les autres lignes sont des moyennes d’essais, chacun en pour cent de son propre effort maximal.
 diagnosed-at = Seulement au réglage du curseur, { $setting } : { $tests } des essais cochés. Les autres réglages ne sont pas diagnostiqués ici ; dashpot diagnose les traite tous.
 provisional = D’un seul cycle de chaque essai, tant que le modèle change ; les mesures entières suivent
 steady-force = effort stationnaire du modèle (frottement et gaz)

@@ -194,6 +194,7 @@ replacing = 替换手动调整的模型？
 replacing-unsaved = 其数值尚未保存到文件。窗口未关闭时可用撤销恢复。
 replace-anyway = 替换
 old-result = 已过时：此后模型、记录或勾选的试验已改变
+percent-of = 各振幅以该处（任何设置下）的最大力为百分比基准。其他行是各试验的平均值，每个试验以其自身的最大力为基准。
 diagnosed-at = 仅针对滑块处的设置 { $setting }（勾选试验中的 { $tests } 个）。其他设置未在此诊断；dashpot diagnose 可诊断全部设置。
 provisional = 模型变化期间仅取每个试验的一个循环；随后给出完整记录的结果
 steady-force = 模型的稳态力（含摩擦和气体力）

@@ -89,6 +89,7 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     let found = &harness.state().session.results.validation.as_ref().unwrap().found;
     let rating = quality::sentence(&Quality::of_validation(found), Language::English.words());
     assert!(says(&harness, &rating), "{rating}");
+    assert!(says(&harness, texts(Language::English).percent_of));
     harness.state_mut().session.diagnose();
     until(&mut harness, "the diagnosis", |app| app.session.results.diagnosis.is_some());
     harness.step();

@@ -289,6 +289,7 @@ fn validation(ui: &mut Ui, found: &Validation, setting_unit: &str, format: Forma
         }
         row(w.all_tests, found.overall.tests, &found.overall.errors);
     });
+    wrapped(ui, RichText::new(w.percent_of).small().weak());
 }
 
 fn diagnosis(ui: &mut Ui, found: &Diagnosis, format: Format, asks: &mut Vec<Ask>) {

@@ -78,6 +78,7 @@ dashpot_messages::interface! {
         worst_section(test),
         worst_caption,
         matrix_section,
+        matrix_about,
         key_section,
         tests_section,
         single_section,
