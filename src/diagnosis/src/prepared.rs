@@ -71,7 +71,7 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
 }
 
 /// Returns the tests of the reference to which tests are compared. They are the fitted tests, but each road is there
-/// whole and with every stretch, so that any stretch of the same road has its counterpart.
+/// whole and with every stretch. So any stretch of the same road has its counterpart.
 fn counterparts(reference: &[&Record], fitted: Vec<Test>) -> Vec<Test> {
     let is_cyclic = |test: &Test| !reference.get(test.record).is_some_and(|record| samples::is_road(record));
     fitted.into_iter().filter(is_cyclic).chain(samples::of_all_extents(reference)).collect()

@@ -101,8 +101,8 @@ impl Grade {
         Grade::new(model.mean_error_n / test.noise_n, model.error_percent, is_better(model, fv_only))
     }
 
-    /// Returns the rating above this one. The rating of a fit is at most one better than that of its worst test, because a small mean
-    /// conceals a test that the model misses. Test: `one_test_that_is_missed_spoils_the_rating_and_is_named`.
+    /// Returns the rating above this one. The rating of a fit is at most one better than that of its worst test. A small mean conceals a
+    /// test that the model misses. Test: `one_test_that_is_missed_spoils_the_rating_and_is_named`.
     fn one_better(self) -> Grade {
         match self {
             Grade::Noise | Grade::Good => Grade::Noise,

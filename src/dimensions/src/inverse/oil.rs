@@ -163,8 +163,8 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     inputs.push(Uncertain::within_factor(1.0, found.error));
     inputs.extend(&found.inputs);
     let mut interval = through(&inputs, |x| (found.modulus)((found.stiffness)(&x[own + 1..]), &x[..own]) * x[own]);
-    // Where the eyes alone may be softer than the whole, the upper end is open, and the lower end comes from those samples
-    // in which they are a little stiffer. It then exceeds the modulus of every oil, so it is no bound.
+    // Where the eyes alone may be softer than the whole, the upper end is open. The lower end comes from samples in
+    // which they are a little stiffer. It then exceeds the modulus of every oil, so it is no bound.
     let exceeds_oil = || {
         let oil = drawing.known(Entry::OilModulus);
         oil.zip(interval.low).is_some_and(|(oil, low)| low > oil.high)

@@ -91,9 +91,9 @@ pub fn tests(records: &[&Record]) -> Vec<Test> {
     of_each.into_iter().flatten().collect()
 }
 
-/// Makes the tests to which stretches and whole tests without cycles of another campaign are compared: each record
-/// without cycles whole, and every stretch of it. The stretches that a fit chooses depend on the noise and on the
-/// number of records, so two campaigns with the same road may choose different ones.
+/// Makes the tests to which tests without cycles of another campaign are compared: each such record whole, and every
+/// stretch of it. The stretches that a fit chooses depend on the noise and on the number of records. So two campaigns
+/// with the same road may choose different ones.
 pub fn of_all_extents(records: &[&Record]) -> Vec<Test> {
     let of = |(place, record): (usize, &&Record)| {
         let motion = smooth(record);
