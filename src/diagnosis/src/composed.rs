@@ -55,6 +55,8 @@ pub(super) struct Composed<'a> {
     pub situation: Situation,
     /// The reference damper, if there is one.
     pub against: Option<Against>,
+    /// Effects to which the user limited the search. `None` means all effects.
+    pub asked: Option<&'a [String]>,
 }
 
 fn is_change(component: &Component) -> bool {
@@ -134,6 +136,7 @@ impl Composed<'_> {
             search: &self.search,
             fitted: &self.fitted,
             is_against,
+            asked: self.asked,
             names: &names,
             changed: &material,
             has_small_changes: changed.len() > material.len(),

@@ -117,7 +117,7 @@ fn alone<'a>(
     records: &'a [&'a Record],
     prepared: Prepared,
     params: &Params,
-    options: &Options,
+    options: &'a Options,
     progress: &(dyn Fn(f64, Template) + Sync),
 ) -> Result<Composed<'a>, DiagnosisError> {
     progress(0.05, phrases::REFITTING);
@@ -154,6 +154,7 @@ fn alone<'a>(
         best,
         situation,
         against: None,
+        asked: options.candidates.as_deref(),
     })
 }
 
@@ -162,7 +163,7 @@ fn against_reference<'a>(
     records: &'a [&'a Record],
     mut prepared: Prepared,
     params: &Params,
-    options: &Options,
+    options: &'a Options,
     progress: &(dyn Fn(f64, Template) + Sync),
 ) -> Result<Composed<'a>, DiagnosisError> {
     progress(0.02, phrases::FITTING_REFERENCE);
@@ -203,6 +204,7 @@ fn against_reference<'a>(
         best,
         situation,
         against,
+        asked: options.candidates.as_deref(),
     })
 }
 

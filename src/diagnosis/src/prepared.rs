@@ -70,6 +70,13 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
     read.filter(|read| read.evidence.mean() <= OPEN * structure.evidence.mean()).unwrap_or(structure)
 }
 
+/// Returns the tests of the reference to which tests are compared. They are the fitted tests, but each road is there
+/// whole and with every stretch. So any stretch of the same road has its counterpart.
+fn counterparts(reference: &[&Record], fitted: Vec<Test>) -> Vec<Test> {
+    let is_cyclic = |test: &Test| !reference.get(test.record).is_some_and(|record| samples::is_road(record));
+    fitted.into_iter().filter(is_cyclic).chain(samples::of_all_extents(reference)).collect()
+}
+
 impl Prepared {
     /// Fits the model to the reference, and corrects the tests by the form error, which this damper shares with the
     /// reference. Returns the structure of the reference, and the tests without an equal counterpart.
@@ -108,11 +115,12 @@ impl Prepared {
             .ok_or(DiagnosisError::NotFinite)?;
         let structure = with_friction(structure, |params| fit(start(params)));
         // Use the integration of the refits, because its error is then equal for this damper and the reference damper.
-        let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &own.fitted);
+        let known = counterparts(&good, own.fitted);
+        let residual = errors(Accuracy::Single, &structure.hypothesis, &structure.refit.theta, &good, &known);
         let residual = residual.ok_or(DiagnosisError::NotFinite)?;
         let (mut missing, mut shifted) = (Vec::new(), Vec::new());
         for tests in [&mut self.fitted, &mut self.left] {
-            let found = reference::without_shared_error(std::mem::take(tests), &own.fitted, &residual);
+            let found = reference::without_shared_error(std::mem::take(tests), &known, &residual);
             *tests = found.tests;
             missing.extend(found.missing);
             shifted.extend(found.shifted);
@@ -120,5 +128,50 @@ impl Prepared {
         // The heating refers to tests by index, so it must refer to the new list of tests.
         self.heating = Arc::new(self.heating.of_tests(&self.fitted));
         Ok(Against { structure, missing, shifted })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Makes a road of half a minute. Its displacement and force have the noise of one of several measurements.
+    fn road(measurement: f64) -> Record {
+        let n = 15_000;
+        let time: Vec<f64> = (0..n).map(|k| 2e-3 * k as f64).collect();
+        let noise = |k: usize| libm::sin(1e3 * k as f64 + measurement * (k * k % 977) as f64);
+        let parts = [(0.02, 8.3, 0.1), (0.005, 39.1, 1.0), (0.001, 80.7, 2.0)];
+        let displacement = |t: f64| parts.iter().map(|(a, w, at)| a * libm::sin(w * t + at)).sum::<f64>();
+        let velocity = |t: f64| parts.iter().map(|(a, w, at)| a * w * libm::cos(w * t + at)).sum::<f64>();
+        Record {
+            name: "road".into(),
+            displacement: time.iter().enumerate().map(|(k, t)| displacement(*t) + 2e-5 * noise(k)).collect(),
+            velocity: time.iter().map(|t| velocity(*t)).collect(),
+            force: time.iter().enumerate().map(|(k, t)| 1500.0 * velocity(*t) + 5.0 * noise(k)).collect(),
+            time,
+            amplitude: 0.026,
+            peak_velocity: 0.4,
+            ..Record::default()
+        }
+    }
+
+    #[test]
+    fn every_stretch_of_a_road_has_its_counterpart_in_the_same_road_of_the_reference() {
+        let (own, good) = (road(1.0), road(2.0));
+        // Among many tests a road is cut into a few stretches, but alone it is one test.
+        let tests = samples::tests(&[&own; 30]);
+        assert_eq!(tests.len(), 120);
+        for count in [1, 10] {
+            let reference = vec![&good; count];
+            let known = counterparts(&reference, samples::tests(&reference));
+            let residual: Vec<Vec<f64>> = known.iter().map(|test| test.forces().to_vec()).collect();
+            let freed = reference::without_shared_error(tests.clone(), &known, &residual);
+            assert_eq!(freed.missing, Vec::<String>::new());
+            // The residual of the reference is its force, so only noise remains.
+            for test in &freed.tests {
+                let rest = test.forces().iter().map(|force| force * force).sum::<f64>() / test.count() as f64;
+                assert!(rest.sqrt() < 0.05 * test.segment.top, "{rest} of {}", test.segment.top);
+            }
+        }
     }
 }

@@ -151,6 +151,9 @@ pub struct EffectAtSetting {
     pub force_n_rms: f64,
     /// Whether the effect was kept, added, removed or replaced at this setting.
     pub status: Status,
+    /// Whether the diagnosis of this setting names the effect, so that it has a [`Finding`]. An added effect without a
+    /// name is too improbable, or its force is too small.
+    pub is_named: bool,
     /// Effect of the model that this effect replaces at this setting.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub replaces: Option<&'static str>,
@@ -163,10 +166,18 @@ pub struct EffectOverSettings {
     pub effect: &'static str,
     /// Whether the most probable model has the effect at every diagnosed setting.
     pub at_all_settings: bool,
-    /// Whether the diagnosis added the effect at one setting or more, because the given model lacks the effect there.
+    /// Whether the diagnosis names the effect at one setting or more, because the given model lacks the effect there.
     pub is_found: bool,
     /// Settings at which the given model or the most probable model has the effect.
     pub settings: Vec<EffectAtSetting>,
+}
+
+impl EffectOverSettings {
+    /// Returns whether the most probable model of at least one setting has the effect and the given model lacks it,
+    /// named or not.
+    pub fn is_added(&self) -> bool {
+        self.settings.iter().any(|at| at.status == Status::Added)
+    }
 }
 
 /// A change relative to the reference at one setting.
@@ -268,7 +279,7 @@ fn effects_over_settings(answers: &[(f64, &Diagnosis)]) -> Vec<EffectOverSetting
     for of in &mut all {
         let shown = of.settings.iter().filter(|at| is_shown(at.status)).count();
         of.at_all_settings = shown == answers.len();
-        of.is_found = of.settings.iter().any(|at| at.status == Status::Added);
+        of.is_found = of.settings.iter().any(|at| at.is_named);
     }
     let force = |of: &EffectOverSettings| of.settings.iter().fold(0.0, |most, at| f64::max(most, at.force_n_rms));
     all.sort_by(|a, b| b.at_all_settings.cmp(&a.at_all_settings).then(force(b).total_cmp(&force(a))));
@@ -281,6 +292,7 @@ fn at_setting(setting: f64, item: &InventoryItem, finding: Option<&Finding>) -> 
         probability: finding.map_or(item.probability, |finding| finding.confidence),
         force_n_rms: item.force_n_rms,
         status: item.status,
+        is_named: finding.is_some(),
         replaces: item.replaces,
     }
 }
@@ -291,6 +303,7 @@ fn of_finding(setting: f64, finding: &Finding) -> EffectAtSetting {
         probability: finding.confidence,
         force_n_rms: finding.force_n_rms,
         status: Status::Added,
+        is_named: true,
         replaces: None,
     }
 }
@@ -320,20 +333,20 @@ fn summarize(
     };
     let mut said: Vec<Sentence> = Vec::new();
     for of in effects {
-        let added: Vec<&EffectAtSetting> = of.settings.iter().filter(|at| at.status == Status::Added).collect();
-        if added.is_empty() {
+        let named: Vec<&EffectAtSetting> = of.settings.iter().filter(|at| at.is_named).collect();
+        if named.is_empty() {
             continue;
         }
-        let at = added.iter().map(|at| at.setting).collect();
+        let at = named.iter().map(|at| at.setting).collect();
         // If the effect replaces the same effect of the model at all these settings, the summary also names the
         // replaced effect.
-        let mut replaced = added.iter().filter_map(|at| at.replaces);
+        let mut replaced = named.iter().filter_map(|at| at.replaces);
         let first = replaced.next().filter(|first| replaced.all(|other| other == *first));
         let instead = first.map(|old| Sentence::from(phrases::INSTEAD_OF).with("effect", old));
         said.push(
             over(at, phrases::AT_ALL_SETTINGS, phrases::AT_SOME_SETTINGS)
                 .with("effect", of.effect)
-                .with("sure", percents(added.iter().map(|at| at.probability)))
+                .with("sure", percents(named.iter().map(|at| at.probability)))
                 .with_any("instead", instead),
         );
     }
@@ -373,6 +386,7 @@ mod tests {
             probability: 0.9 + 0.02 * setting,
             force_n_rms: 10.0,
             status: *status,
+            is_named: *status == Status::Added,
             replaces: None,
         };
         EffectOverSettings { effect, at_all_settings: false, is_found: true, settings: status.iter().map(at).collect() }
@@ -400,6 +414,11 @@ mod tests {
         assert!(said[0].starts_with("series_compliance (90–92 % sure, instead of oil_compressibility)"), "{said:?}");
         let said = summary(&all[2..], &[], &[], false);
         assert!(said.len() == 1 && said[0].contains("no effect is missing"), "{said:?}");
+        // An effect that the most probable model of a setting has, but that its diagnosis does not name, is no finding.
+        let mut unnamed = effect("gas_preload", &[(1.0, Status::Added)]);
+        unnamed.settings.iter_mut().for_each(|at| at.is_named = false);
+        let said = summary(&[unnamed], &[], &[1.0], false);
+        assert!(said.len() == 1 && said[0].starts_with("at 1 A something is missing"), "{said:?}");
         // An effect that the diagnosis of each setting removes may still be needed in a fit over all settings.
         let removed = effect("oil_compressibility", &[0.0, 1.0, 2.0].map(|setting| (setting, Status::Removed)));
         let said = summary(&[removed.clone()], &[], &[], false);

@@ -42,6 +42,8 @@ pub(super) struct VerdictContext<'a> {
     pub fitted: &'a [Test],
     /// Whether the diagnosis compares with a reference.
     pub is_against: bool,
+    /// Effects to which the user limited the search. `None` means all effects.
+    pub asked: Option<&'a [String]>,
     /// Effects to name, most probable first.
     pub names: &'a [&'a Component],
     /// Changes whose force is large enough to name them.
@@ -56,6 +58,31 @@ pub(super) struct VerdictContext<'a> {
 /// Formats a root mean square residual as a multiple of the noise.
 fn times(mean_square: f64) -> Sentence {
     Sentence::from(phrases::TIMES).with("times", format!("{:.2}", mean_square.sqrt()))
+}
+
+/// Summarizes that no effect is missing. `mean_square` is the residual of the best structure over the noise, and
+/// `likeliest` the most probable effect outside of it.
+///
+/// The sentence has no probability of its own, because no known effect explains the residual above 1. It states the
+/// unexplained fraction instead, and the probability of the likeliest effect.
+fn summarize_nothing_missing(
+    is_against: bool,
+    asked: Option<&[String]>,
+    mean_square: f64,
+    likeliest: Option<&Rival>,
+) -> Sentence {
+    let nothing = match (is_against, asked) {
+        (false, None) => phrases::NOTHING_MISSING.into(),
+        (true, None) => phrases::UNCHANGED.into(),
+        (false, Some(asked)) => Sentence::from(phrases::NONE_OF_ASKED).with_names("effects", asked, phrases::COMMA),
+        (true, Some(asked)) => Sentence::from(phrases::UNCHANGED_OF_ASKED).with_names("effects", asked, phrases::COMMA),
+    };
+    let unexplained = 1.0 - 1.0 / mean_square;
+    let rest = (unexplained > UNEXPLAINED)
+        .then(|| Sentence::from(phrases::WITHOUT_CAUSE).with("percent", percent(unexplained)));
+    let likeliest = likeliest
+        .map(|of| Sentence::from(phrases::LIKELIEST).with("effect", of.effect).with("percent", percent(of.confidence)));
+    nothing.with_sentence("times", times(mean_square)).with_any("rest", rest).with_any("likeliest", likeliest)
 }
 
 impl VerdictContext<'_> {
@@ -162,10 +189,7 @@ impl VerdictContext<'_> {
     fn judge_nothing_missing(self) -> Judged {
         let limit = detection_limit::note(self.fitted, &self.best.evidence.mean_squares);
         let notes = self.missed_tests().into_iter().chain(limit).collect();
-        let none = (1.0 - self.suspects.iter().map(|r| r.confidence).sum::<f64>()).clamp(0.01, 0.99);
-        let nothing = if self.is_against { phrases::UNCHANGED } else { phrases::NOTHING_MISSING };
-        let summary =
-            Sentence::from(nothing).with("percent", percent(none)).with_sentence("times", times(self.after()));
+        let summary = summarize_nothing_missing(self.is_against, self.asked, self.after(), self.suspects.first());
         Judged { verdict: Verdict::NothingMissing, summary, suspects: Vec::new(), notes }
     }
 
@@ -223,5 +247,40 @@ fn looks(unnamed: Unnamed) -> Template {
         Unnamed::Guides => phrases::LIKE_GUIDES,
         Unnamed::LoadCell => phrases::LIKE_LOAD_CELL,
         Unnamed::Resonance => phrases::LIKE_RESONANCE,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn that_nothing_is_missing_has_no_certainty_but_what_is_unexplained_and_what_was_asked_for() {
+        let said = |asked: Option<&[String]>, rms: f64, likeliest: Option<&Rival>| {
+            summarize_nothing_missing(false, asked, rms * rms, likeliest).to_string()
+        };
+        // The residual of a model at the level of the noise has no part without a cause.
+        let quiet = said(None, 1.02, None);
+        assert!(quiet.starts_with("no known effect is missing") && !quiet.contains('%'), "{quiet}");
+        let off = said(None, 1.48, None);
+        assert!(off.contains("1.48 times") && off.contains("54 % of the mean square error has no known"), "{off}");
+        assert!(!off.contains("sure"), "{off}");
+        // The only certainty is that of an effect.
+        let friction = Rival {
+            effect: "coulomb_friction",
+            confidence: 0.12,
+            fraction: 0.3,
+            why: Sentence::from(phrases::EXPLAINS).with("percent", percent(0.3)),
+        };
+        let open = said(None, 1.48, Some(&friction));
+        assert!(open.contains("coulomb_friction (12 % sure)"), "{open}");
+        // A search among few effects reports nothing about the others.
+        let asked = said(Some(&["bump_stop".to_owned()]), 1.34, None);
+        assert!(asked.starts_with("none of the effects asked for (bump_stop) is missing"), "{asked}");
+        let against = summarize_nothing_missing(true, Some(&["bump_stop".to_owned()]), 1.0, None).to_string();
+        assert!(
+            against.starts_with("no number has changed and none of the effects asked for (bump_stop)"),
+            "{against}"
+        );
     }
 }

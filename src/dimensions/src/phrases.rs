@@ -13,6 +13,7 @@ dashpot_messages::phrases! {
     VOLUME_FROM: "it follows from the pressure and the stiffness of the gas";
     COLUMN_FROM: "the stiffness of the column is one of a chamber with area and length";
     NO_COLUMN: "the model has no oil column and no series spring that the records determine";
+    EYES_TOO_SOFT: "the eyes as stated are, within their tolerance, softer than eyes and oil together in the model";
     NO_MODULUS: "the effective modulus is not known";
     TUBE_EXPANDS: "the tube expands with the oil";
     STROKE_FROM: "the stroke that air yields goes with its pressure and the length of the chamber";

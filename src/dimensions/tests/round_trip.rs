@@ -172,6 +172,27 @@ proptest! {
     }
 
     #[test]
+    fn eyes_softer_than_the_whole_give_no_bound_of_the_modulus(
+        length in 80.0f64..200.0,
+        modulus in 0.9f64..1.5,
+        share in 0.2f64..1.0,
+        is_series in any::<bool>(),
+    ) {
+        let text = format!("bore_mm = 40\nrod_mm = 12\nrebound_chamber_mm = {length}\n{RIGID}");
+        let whole = expected(&drawing(&format!("{text}oil_modulus_gpa = {modulus}\n")), "oil_stiffness");
+        let stated = drawing(&format!("{text}eye_stiffness_n_mm = {}\n", 1e-3 * share * whole));
+        let model = match is_series {
+            true => format!("elements = [\"series_compliance\"]\nseries_stiffness = {whole}\n"),
+            false => format!("elements = [\"oil_compressibility\"]\noil_stiffness = {whole}\noil_shortening = 0.0\n"),
+        };
+        let model = of_text(&format!("format = 1\n{model}"), Path::new("model.toml")).unwrap();
+        let explanation = explain(&model, &stated);
+        prop_assert!(explanation.find("oil_modulus_effective").is_none(), "{explanation:?}");
+        let gap = explanation.unknown.iter().find(|gap| gap.name == "oil_modulus_effective").unwrap();
+        prop_assert!(gap.why.to_string().contains("softer than eyes and oil together"), "{gap:?}");
+    }
+
+    #[test]
     fn no_text_makes_the_reader_panic(text in "[a-z_0-9 =.\\[\\]\"\n-]{0,80}", key in 0usize..5) {
         let key = ["bore_mm", "rod_mm", "design", "gas_pressure_bar", "air_percent"][key];
         let _ = read::parse(&text, Path::new("drawing.toml"));

@@ -122,7 +122,8 @@ impl App {
         bar::keys(ui, &mut self.session, &mut self.view);
         let (session, view) = (&mut self.session, &mut self.view);
         Panel::top("bar").show(ui, |ui| bar::show(ui, session, view));
-        Panel::bottom("status").exact_size(30.0).show(ui, |ui| status::show(ui, session, view));
+        let height = status::height(ui, session, view);
+        Panel::bottom("status").exact_size(height).show(ui, |ui| status::show(ui, session, view));
         Panel::left("tests")
             .default_size(270.0)
             .size_range(200.0..=460.0)

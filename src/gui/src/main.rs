@@ -1,4 +1,4 @@
-//! `dashpot-window [CAMPAIGN] [MODEL] [D.toml]`: the program that `dashpot open` starts.
+//! `dashpot-window [CAMPAIGN] [MODEL] [D.toml] [--subfolders]`: the program that `dashpot open` starts.
 
 // Without this attribute, Windows opens a console window.
 #![cfg_attr(windows, windows_subsystem = "windows")]
@@ -6,17 +6,21 @@
 use dashpot_gui::app::App;
 use dashpot_gui::dialogs::Native;
 use dashpot_gui::drawing;
+use dashpot_records::Options;
 use eframe::egui;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
 const HELP: &str = "The window of dashpot: records and a model, looked at, tuned, fitted and exported\n\n\
-    Usage: dashpot-window [CAMPAIGN] [MODEL] [D.toml]\n\n\
+    Usage: dashpot-window [CAMPAIGN] [MODEL] [D.toml] [--subfolders]\n\n\
     CAMPAIGN is a folder of records or record files, MODEL a model file, D.toml the dimensions of the damper; all can be opened or dropped later.\n\
+    With --subfolders, the records in subfolders are tests of the same campaign.\n\
     Example: dashpot-window campaign/ damper.toml";
 
 fn main() -> ExitCode {
-    let paths: Vec<PathBuf> = std::env::args_os().skip(1).map(PathBuf::from).collect();
+    let (flags, paths): (Vec<PathBuf>, Vec<PathBuf>) =
+        std::env::args_os().skip(1).map(PathBuf::from).partition(|argument| argument.as_os_str() == "--subfolders");
+    let reading = Options { subfolders: !flags.is_empty(), ..Options::default() };
     if paths.iter().any(|p| p.as_os_str() == "--help" || p.as_os_str() == "-h") {
         println!("{HELP}");
         return ExitCode::SUCCESS;
@@ -35,7 +39,7 @@ fn main() -> ExitCode {
         .with_min_inner_size([900.0, 600.0])
         .with_drag_and_drop(true);
     let ran = drawing::run(|renderer, opened| {
-        let (paths, opened) = (paths.clone(), opened.clone());
+        let (paths, opened, reading) = (paths.clone(), opened.clone(), reading.clone());
         let options =
             eframe::NativeOptions { viewport: viewport.clone(), renderer, ..eframe::NativeOptions::default() };
         eframe::run_native(
@@ -44,7 +48,7 @@ fn main() -> ExitCode {
             Box::new(move |creation| {
                 opened.set(true);
                 let mut app = App::new(&creation.egui_ctx, Box::new(Native::default()));
-                app.session.open(&paths);
+                app.session.open_with(&paths, reading);
                 Ok(Box::new(app))
             }),
         )

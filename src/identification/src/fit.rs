@@ -549,6 +549,17 @@ pub(crate) fn has_compliance(params: &Params) -> bool {
     params.is_on(element!("series_compliance")) || params.is_on(element!("oil_compressibility"))
 }
 
+/// Returns whether a model has dry friction of any kind.
+fn has_friction(params: &Params) -> bool {
+    let kinds = [
+        element!("coulomb_friction"),
+        element!("stribeck_friction"),
+        element!("presliding_friction"),
+        element!("side_force_friction"),
+    ];
+    kinds.iter().any(|friction| params.is_on(*friction))
+}
+
 /// Computes the intervals and measurement errors of the best structure. Adds notes on numbers that the records do not determine or that are
 /// at a bound.
 fn finish(structure: &Structure, tests: &[Test], given: &MeasurementError) -> Found {
@@ -677,7 +688,8 @@ pub(crate) fn coverage_notes(segments: &[Segment], params: &Params) -> Vec<Sente
     let mut notes = Vec::new();
     let velocity = round_figure(1e3 * SLOW);
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
-        notes.push(Sentence::from(phrases::NO_SLOW_TEST).with("velocity", &velocity));
+        let said = if has_friction(params) { phrases::NO_SLOW_TEST } else { phrases::NO_SLOW_TEST_NO_FRICTION };
+        notes.push(Sentence::from(said).with("velocity", &velocity));
     }
     let are_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
         let (count, low, high) =
@@ -765,6 +777,20 @@ mod tests {
         );
         assert!(said(&[(0.05, slow), (0.05, fast)], &["coulomb_friction"]).is_empty());
         assert!(said(&[(0.005, slow), (0.05, fast), (0.05, fast)], &["gas_spring"]).is_empty());
+    }
+
+    #[test]
+    fn where_no_test_is_slow_the_note_is_true_of_a_model_with_friction_and_of_one_without() {
+        let fast = Segment { peak_velocity: 10.0 * SLOW, ..crate::fit::segments(&[&slow_sine()]).remove(0) };
+        let mut params = Params::default();
+        params.disable_all();
+        let said = |params: &Params| coverage_notes(std::slice::from_ref(&fast), params)[0].to_string();
+        assert!(said(&params).ends_with("the model has none"), "{}", said(&params));
+        for name in ["coulomb_friction", "presliding_friction"] {
+            let mut with = params;
+            with.enable(Element::find(name).unwrap(), true);
+            assert!(said(&with).contains("friction is taken from"), "{}", said(&with));
+        }
     }
 
     #[test]

@@ -32,6 +32,7 @@ dashpot_messages::phrases! {
     ROADS: "the long {roads|test|tests} without cycles ({roads}) {roads|is|are} run in {stretches|# stretch|# stretches} of {seconds} s each, chosen to visit every displacement and velocity of {roads|its|theirs}; errors over whole records count every sample";
     SELECTED: "the campaign has {all} tests, more than a search can use: {selected} of them stand for all, of every amplitude, speed, mean displacement, temperature and side force, spread over its whole length. Errors over whole records count all tests; to decide yourself, give --exclude or a smaller folder";
     NO_SLOW_TEST: "there is no slow test with whole cycles (peak below {velocity} mm/s): friction is taken from the slow parts of faster tests";
+    NO_SLOW_TEST_NO_FRICTION: "there is no slow test with whole cycles (peak below {velocity} mm/s): such a test shows friction best, and the model has none";
     ONE_AMPLITUDE: "all tests have nearly the same amplitude: the spring and the series stiffness rest on frequency alone";
     ONE_AMPLITUDE_OF_SPRING: "all tests have nearly the same amplitude: the spring rests on frequency alone";
     ONE_AMPLITUDE_OF_SERIES: "all tests have nearly the same amplitude: the series stiffness rests on frequency alone";

@@ -31,6 +31,11 @@ pub fn is_stdout(path: &Path) -> bool {
     path == Path::new("-")
 }
 
+/// Names the target of an output in a sentence: its path, or standard output for `-`.
+pub fn target_name(path: &Path) -> String {
+    if is_stdout(path) { "standard output".to_owned() } else { path.display().to_string() }
+}
+
 /// Checks, before long work, that these paths can be written without loss of other files.
 ///
 /// # Errors
@@ -101,4 +106,15 @@ pub fn say(result: Option<&Path>, text: &str) -> anyhow::Result<()> {
         return terminal::warn_or_fail(text);
     }
     terminal::line(text)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_sentence_names_standard_output_and_any_other_target_by_its_path() {
+        assert_eq!(target_name(Path::new("-")), "standard output");
+        assert_eq!(target_name(Path::new("a/b.csv")), Path::new("a/b.csv").display().to_string());
+    }
 }

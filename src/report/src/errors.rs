@@ -13,6 +13,9 @@ pub fn pictures(validation: &Validation, words: &Words) -> Section {
     let mut blocks = Vec::new();
     let map = overview::error_map(validation, words);
     blocks.extend(map.map(|svg| Block::Wide(Figure::new("overview-amplitude-velocity", svg))));
+    if !blocks.is_empty() {
+        blocks.push(Block::Paragraph(words.matrix_about.to_owned()));
+    }
     blocks.push(Block::Wide(Figure::new("overview-tests", overview::error_of_tests(validation, words))));
     Section::new("matrix", words.matrix_section, blocks)
 }
@@ -166,4 +169,20 @@ pub(crate) fn three(figures: &Deviation) -> [Cell; 3] {
 /// Builds the first cells of a row that summarizes several tests.
 fn start(label: Cell, row: &MatrixRow) -> Vec<Cell> {
     vec![label, Cell::count(row.tests), Cell::number(row.max_force_n, force)]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::plot::of_test::tests::{compared, record};
+    use crate::words::EN;
+    use dashpot_identification::validation::validate;
+
+    #[test]
+    fn the_map_of_the_errors_says_what_its_percent_is_of() {
+        let record = record(2, true);
+        let section = pictures(&validate(&[compared(&record)]).unwrap(), &EN);
+        let has_text = |block: &Block| matches!(block, Block::Paragraph(text) if text.contains("of the largest force"));
+        assert!(section.blocks.iter().any(has_text));
+    }
 }

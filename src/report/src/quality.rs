@@ -2,7 +2,8 @@
 
 use crate::numbers::digits;
 use crate::words::Words;
-use dashpot_simulation::whole_records::Quality;
+use dashpot_identification::validation::{Deviation, Errors};
+use dashpot_simulation::whole_records::{Quality, TestQuality};
 
 /// Largest ratio of the model's mean error to the noise at which noise explains the error. The error of the model itself is then at most
 /// three quarters of the noise. A larger ratio indicates a deficiency of the model.
@@ -18,11 +19,20 @@ const BETTER: f64 = 1.05;
 
 /// Formats a rating of the model's error, in comparison with the noise and with the error of the FV curve, as a sentence.
 pub fn sentence(quality: &Quality, words: &Words) -> String {
-    let Quality { model, fv_only, noise_n } = quality;
+    let Quality { model, fv_only, noise_n, tests } = quality;
     let by_noise = model.mean_error_n / noise_n;
     let is_known = by_noise.is_finite();
-    let no_better = fv_only.mean_error_n < BETTER * model.mean_error_n;
-    let grade = grade(by_noise, model.error_percent, !no_better, words);
+    let no_better = !is_better(model, fv_only);
+    let of_mean = Grade::new(by_noise, model.error_percent, !no_better);
+    let worst = tests
+        .iter()
+        .map(|test| (Grade::of_test(test), test))
+        .max_by(|(a, one), (b, other)| {
+            let percent = |test: &TestQuality| test.errors.model.error_percent;
+            a.cmp(b).then(percent(one).total_cmp(&percent(other)))
+        })
+        .filter(|(grade, _)| *grade > of_mean);
+    let grade = worst.map_or(of_mean, |(of_worst, _)| of_mean.max(of_worst.one_better()));
     let beside = if is_known {
         let text = if by_noise > NOISE { words.quality_beyond_noise } else { words.quality_beside_noise };
         words.fill(text, &[("ratio", &digits(by_noise, 2)), ("noise", &digits(*noise_n, 2))])
@@ -38,47 +48,118 @@ pub fn sentence(quality: &Quality, words: &Words) -> String {
             ("ratio", &digits(fv_only.mean_error_n / model.mean_error_n, 2)),
         ],
     );
-    words.fill(
+    let of_all = words.fill(
         words.quality_sentence,
         &[
-            ("grade", grade),
+            ("grade", grade.word(words)),
             ("error", &digits(model.mean_error_n, 3)),
             ("percent", &digits(model.error_percent, 2)),
             ("beside", &beside),
             ("curve", &curve),
         ],
-    )
+    );
+    let of_worst = worst.map(|(_, TestQuality { name, errors, .. })| {
+        let values = [
+            ("test", name.as_str()),
+            ("error", &digits(errors.model.mean_error_n, 3)),
+            ("percent", &digits(errors.model.error_percent, 2)),
+            ("curve", &digits(errors.fv_only.mean_error_n, 3)),
+        ];
+        words.fill(words.quality_worst, &values)
+    });
+    [Some(of_all), of_worst].into_iter().flatten().collect::<Vec<_>>().join(" ")
+}
+
+/// Returns whether the model has a clearly smaller error than the FV curve.
+fn is_better(model: &Deviation, fv_only: &Deviation) -> bool {
+    fv_only.mean_error_n >= BETTER * model.mean_error_n
+}
+
+/// Rating of an error, best first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+enum Grade {
+    Noise,
+    Good,
+    Fair,
+    Poor,
+}
+
+impl Grade {
+    /// Rates an error by its ratio to the noise (NaN if the noise is unknown) and by its percentage of the largest force. A rating of fair
+    /// becomes poor if the model is not better than the FV curve.
+    fn new(by_noise: f64, percent: f64, is_better: bool) -> Grade {
+        match () {
+            () if by_noise <= NOISE => Grade::Noise,
+            () if percent <= GOOD => Grade::Good,
+            () if percent <= FAIR && is_better => Grade::Fair,
+            () => Grade::Poor,
+        }
+    }
+
+    fn of_test(test: &TestQuality) -> Grade {
+        let Errors { model, fv_only } = &test.errors;
+        Grade::new(model.mean_error_n / test.noise_n, model.error_percent, is_better(model, fv_only))
+    }
+
+    /// Returns the rating above this one. The rating of a fit is at most one better than that of its worst test. A small mean conceals a
+    /// test that the model misses. Test: `one_test_that_is_missed_spoils_the_rating_and_is_named`.
+    fn one_better(self) -> Grade {
+        match self {
+            Grade::Noise | Grade::Good => Grade::Noise,
+            Grade::Fair => Grade::Good,
+            Grade::Poor => Grade::Fair,
+        }
+    }
+
+    fn word(self, words: &Words) -> &str {
+        match self {
+            Grade::Noise => words.quality_noise,
+            Grade::Good => words.quality_good,
+            Grade::Fair => words.quality_fair,
+            Grade::Poor => words.quality_poor,
+        }
+    }
 }
 
 /// Rates an error by its ratio to the noise (NaN if the noise is unknown) and by its percentage of the largest force. A rating of fair
 /// becomes poor if the model is not better than the FV curve.
 pub fn grade(by_noise: f64, percent: f64, is_better: bool, words: &Words) -> &str {
-    if by_noise <= NOISE {
-        words.quality_noise
-    } else if percent <= GOOD {
-        words.quality_good
-    } else if percent <= FAIR && is_better {
-        words.quality_fair
-    } else {
-        words.quality_poor
-    }
+    Grade::new(by_noise, percent, is_better).word(words)
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::words::{EN, Language};
-    use dashpot_identification::validation::Deviation;
+
+    fn deviation([mean_error_n, error_percent]: [f64; 2]) -> Deviation {
+        Deviation { mean_error_n, error_percent, region1_n: 0.0, region2_n: 0.0, rmse_n: mean_error_n }
+    }
 
     fn of(model: [f64; 2], curve: [f64; 2], noise_n: f64) -> Quality {
-        let deviation = |[mean_error_n, error_percent]: [f64; 2]| Deviation {
-            mean_error_n,
-            error_percent,
-            region1_n: 0.0,
-            region2_n: 0.0,
-            rmse_n: mean_error_n,
+        Quality { model: deviation(model), fv_only: deviation(curve), noise_n, tests: Vec::new() }
+    }
+
+    #[test]
+    fn one_test_that_is_missed_spoils_the_rating_and_is_named() {
+        let test = |name: &str, model: [f64; 2], curve: [f64; 2]| TestQuality {
+            name: name.to_owned(),
+            errors: Errors { model: deviation(model), fv_only: deviation(curve) },
+            noise_n: 2.0,
         };
-        Quality { model: deviation(model), fv_only: deviation(curve), noise_n }
+        let fine = test("fine", [10.0, 0.8], [90.0, 6.0]);
+        let all = |tests: &[TestQuality]| {
+            let quality = Quality { tests: tests.to_vec(), ..of([18.0, 1.0], [90.0, 6.0], 2.0) };
+            sentence(&quality, &EN)
+        };
+        assert!(all(&[fine.clone()]).starts_with("Good fit") && !all(&[fine.clone()]).contains("fine"));
+        let said = all(&[fine.clone(), test("road", [310.0, 12.0], [420.0, 17.0])]);
+        assert!(said.starts_with("Fair fit") && said.contains("worst in road, by 310 N on average (12 %"), "{said}");
+        // A test that is only fair, or a weak one at the level of the noise, leaves the rating good.
+        let said = all(&[fine.clone(), test("slow", [12.0, 3.0], [40.0, 10.0])]);
+        assert!(said.starts_with("Good fit") && said.contains("worst in slow"), "{said}");
+        let said = all(&[fine, test("weak", [2.0, 9.0], [2.1, 9.2])]);
+        assert!(said.starts_with("Good fit") && !said.contains("weak"), "{said}");
     }
 
     #[test]

@@ -11,7 +11,9 @@ use crate::warm_starts::WarmStarts;
 use dashpot_core::Params;
 use dashpot_identification::family::FamilyFit;
 use dashpot_identification::model_file::{NoModel, prepared, prepared_family};
-use dashpot_identification::validation::{Compared, Deviation, ValidationError, validate};
+use dashpot_identification::validation::{
+    Compared, Deviation, Errors, TestValidation, Validation, ValidationError, validate,
+};
 use dashpot_identification::{Fit, Measured, to_measurement_error};
 use dashpot_records::measurement_correction::correct_record;
 use dashpot_records::smoothing::smooth;
@@ -35,17 +37,21 @@ pub enum WholeRecordsError {
 /// # Errors
 /// Returns an error if the parameters do not form a valid model, or if the records cannot be compared.
 pub fn deviation(params: &Params, records: &[&Record]) -> Result<Deviation, WholeRecordsError> {
-    let model = prepared(params)?;
-    let warm = WarmStarts::new(records);
+    let forces = forces(params, records)?;
     let compared: Vec<Compared> = records
-        .par_iter()
-        .enumerate()
-        .map(|(k, record)| {
-            let forces = predict(&model, record, &smooth(record), warm.rise(params, k));
-            Compared { record, fv_only: forces.clone(), model: forces, used_in_fit: true }
-        })
+        .iter()
+        .zip(forces)
+        .map(|(record, forces)| Compared { record, fv_only: forces.clone(), model: forces, used_in_fit: true })
         .collect();
     Ok(validate(&compared)?.overall.errors.model)
+}
+
+/// Computes the forces of a model over records, N.
+fn forces(params: &Params, records: &[&Record]) -> Result<Vec<Vec<f64>>, NoModel> {
+    let model = prepared(params)?;
+    let warm = WarmStarts::new(records);
+    let of = |(k, record): (usize, &&Record)| predict(&model, record, &smooth(record), warm.rise(params, k));
+    Ok(records.par_iter().enumerate().map(of).collect())
 }
 
 /// Computes the errors of a fitted model over the records of the fit. The records are first corrected for the measurement errors that the
@@ -59,12 +65,26 @@ pub fn of_fit(fit: &Fit, records: &[&Record]) -> Result<Deviation, WholeRecordsE
 
 /// Quality of a fit: the error of its model, in comparison with that of the plain FV curve and with the noise of the records. The noise is
 /// the smallest error that a model can have.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Quality {
     /// Error of the model.
     pub model: Deviation,
     /// Error of the plain FV curve fitted to the same tests.
     pub fv_only: Deviation,
+    /// Mean magnitude of the noise of the force, N, or 0 if it is unknown.
+    pub noise_n: f64,
+    /// Quality in each test.
+    pub tests: Vec<TestQuality>,
+}
+
+/// Quality of a fit in one test.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct TestQuality {
+    /// Name of the test.
+    pub name: String,
+    /// Errors of the model and of the plain FV curve.
+    #[serde(flatten)]
+    pub errors: Errors,
     /// Mean magnitude of the noise of the force, N, or 0 if it is unknown.
     pub noise_n: f64,
 }
@@ -74,16 +94,20 @@ pub struct Quality {
 /// # Errors
 /// Returns the errors of [`deviation`].
 pub fn quality(fit: &Fit, records: &[&Record]) -> Result<Quality, WholeRecordsError> {
-    let (model, fv_only) = (of_fit(fit, records)?, without(&fit.measured, &fit.fv_only, records)?);
-    Ok(Quality { model, fv_only, noise_n: mean_noise(records) })
+    let off = to_measurement_error(&fit.measured);
+    let right: Vec<Record> = records.iter().map(|record| correct_record(record, &off)).collect();
+    let right: Vec<&Record> = right.iter().collect();
+    let forces = forces(&fit.params, &right)?.into_iter().zip(forces(&fit.fv_only, &right)?);
+    let compared: Vec<Compared> = right
+        .iter()
+        .zip(forces)
+        .map(|(record, (model, fv_only))| Compared { record, model, fv_only, used_in_fit: true })
+        .collect();
+    quality_of(&compared)
 }
 
-/// Returns the mean magnitude of the noise of records, N, or zero if unknown.
-fn mean_noise(records: &[&Record]) -> f64 {
-    let known: Vec<f64> = records.iter().map(|record| record.noise.force_rms).filter(|rms| *rms > 0.0).collect();
-    // The mean magnitude of normally distributed noise is √(2/π) of its root mean square.
-    known.iter().sum::<f64>() / known.len().max(1) as f64 * std::f64::consts::FRAC_2_PI.sqrt()
-}
+/// Mean magnitude of normally distributed noise over its root mean square, √(2/π).
+const MEAN_OF_RMS: f64 = 0.797_884_560_802_865_4;
 
 /// Computes the quality of an adjustable damper over the tests of its fit with constant settings. Each test is simulated at its own
 /// setting.
@@ -130,9 +154,26 @@ pub fn quality_of_family(fit: &FamilyFit, records: &[&Record]) -> Result<Quality
 
 /// Computes the quality over compared records.
 fn quality_of(compared: &[Compared<'_>]) -> Result<Quality, WholeRecordsError> {
-    let errors = validate(compared)?.overall.errors;
-    let records: Vec<&Record> = compared.iter().map(|of| of.record).collect();
-    Ok(Quality { model: errors.model, fv_only: errors.fv_only, noise_n: mean_noise(&records) })
+    Ok(Quality::of_validation(&validate(compared)?))
+}
+
+impl Quality {
+    /// Returns the quality of the model of a validation.
+    pub fn of_validation(found: &Validation) -> Quality {
+        let of_test = |test: &TestValidation| TestQuality {
+            name: test.name.clone(),
+            errors: test.errors,
+            noise_n: test.noise_rms_n.max(0.0) * MEAN_OF_RMS,
+        };
+        let tests: Vec<TestQuality> = found.tests.iter().map(of_test).collect();
+        let known: Vec<f64> = tests.iter().map(|test| test.noise_n).filter(|noise| *noise > 0.0).collect();
+        Quality {
+            model: found.overall.errors.model,
+            fv_only: found.overall.errors.fv_only,
+            noise_n: known.iter().sum::<f64>() / known.len().max(1) as f64,
+            tests,
+        }
+    }
 }
 
 /// Computes the quality of an adjustable damper over the tests of its fit in which the setting changes. Returns `None` without such tests.

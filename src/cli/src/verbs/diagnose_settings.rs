@@ -294,7 +294,12 @@ fn format_settings(axis: &Axis, over: &OverSettings, found: &[(Part, Diagnosed)]
             let at = of.settings.iter().find(|at| at.setting == setting)?;
             Some(cell(at.probability, at.force_n_rms, if is_shown(at.status) { "" } else { " out" }))
         };
-        lines.push(row(of.effect, &at, &[of.is_found.then_some("found"), of.at_all_settings.then_some(ALL)]));
+        let found = match () {
+            () if of.is_found => Some("found"),
+            () if of.is_added() => Some("added, not named"),
+            () => None,
+        };
+        lines.push(row(of.effect, &at, &[found, of.at_all_settings.then_some(ALL)]));
     }
     for (part, one) in found {
         let tests = part.campaign.records.len();

@@ -235,12 +235,34 @@ fn format_errors(axis: &SettingAxis, settings: &[SettingReport]) -> String {
             error(&of.family)
         );
     }
+    out += "\npercent: of the largest force of each test";
+    if settings.iter().any(|of| of.family.mean_error_n < of.own_fit.mean_error_n) {
+        out += "; a fit of one setting alone has fewer points of the FV curve, so the family may be better than it";
+    }
     out
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_errors_say_what_their_percent_is_of_and_why_a_fit_alone_may_be_worse() {
+        let error = |mean_error_n: f64| SettingError { mean_error_n, error_percent: 0.1 * mean_error_n };
+        let of = |own: f64, family: f64| SettingReport {
+            setting: 1.0,
+            tests: 4,
+            own_fit: error(own),
+            family: error(family),
+            left_out: None,
+            left_out_ratio: None,
+        };
+        let axis = SettingAxis { name: "current".into(), unit: "A".into() };
+        let said = format_errors(&axis, &[of(10.0, 12.0)]);
+        assert!(said.ends_with("percent: of the largest force of each test"), "{said}");
+        let said = format_errors(&axis, &[of(10.0, 12.0), of(13.0, 12.0)]);
+        assert!(said.ends_with("has fewer points of the FV curve, so the family may be better than it"), "{said}");
+    }
 
     #[test]
     fn tests_that_the_fit_did_not_use_are_named_if_they_are_few() {

@@ -181,7 +181,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let quality = whole_records::quality(&found, &records)?;
     let over_whole_records = quality.model;
     let error = in_words(&over_whole_records, &TERMINAL);
-    say(&format!("{} fitted, off by {error}; model in {}", count_tests(found.tests.len()), args.output.display()))?;
+    say(&format!(
+        "{} fitted, off by {error}; model in {}",
+        count_tests(found.tests.len()),
+        dashpot_output::target_name(&args.output)
+    ))?;
     say(&quality::sentence(&quality, &TERMINAL))?;
     if let Some(path) = args.json.as_deref() {
         let json = Json {

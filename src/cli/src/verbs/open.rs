@@ -9,7 +9,7 @@ use std::process::Command;
 /// The window is a separate program, dashpot-window, in the folder of this command.
 #[derive(clap::Args)]
 #[command(
-    after_help = "Examples:\n  dashpot open campaign/ damper.toml\n  dashpot open campaign/ damper.toml dimensions.toml"
+    after_help = "Examples:\n  dashpot open campaign/ damper.toml\n  dashpot open campaign/ damper.toml dimensions.toml\n  dashpot open semi_active/ family.toml --subfolders"
 )]
 pub struct Args {
     /// Folder of records, or record files
@@ -21,6 +21,9 @@ pub struct Args {
     /// Dimensions of the damper
     #[arg(value_name = "D.toml")]
     dimensions: Option<PathBuf>,
+    /// Read the records in subfolders as tests of the same campaign
+    #[arg(long)]
+    subfolders: bool,
 }
 
 const WINDOW: &str = if cfg!(windows) { "dashpot-window.exe" } else { "dashpot-window" };
@@ -32,8 +35,11 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
         bail!("{}: there is no such file or folder; check the path", missing.display());
     }
     let window = window()?;
-    let status =
-        Command::new(&window).args(paths).status().with_context(|| format!("cannot start {}", window.display()))?;
+    let status = Command::new(&window)
+        .args(args.subfolders.then_some("--subfolders"))
+        .args(paths)
+        .status()
+        .with_context(|| format!("cannot start {}", window.display()))?;
     if !status.success() {
         bail!("the window ended with {status}");
     }

@@ -49,5 +49,5 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
              `dashpot validate` with tests at {here} shows the error"
         ));
     }
-    dashpot_output::say(Some(&args.output), &format!("{remark} in {}", args.output.display()))
+    dashpot_output::say(Some(&args.output), &format!("{remark} in {}", dashpot_output::target_name(&args.output)))
 }

@@ -142,7 +142,10 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     {
         dashpot_output::say(Some(&args.output), &format!("note: {remark}"))?;
     }
-    dashpot_output::say(Some(&args.output), &format!("{} rows in {}", answers.len(), args.output.display()))
+    dashpot_output::say(
+        Some(&args.output),
+        &format!("{} rows in {}", answers.len(), dashpot_output::target_name(&args.output)),
+    )
 }
 
 /// Formats the rows, with their settings if there are any. Parsing the numbers gives bitwise equal values.

@@ -163,6 +163,17 @@ fn column(model: &Identified, drawing: &Dimensions, to: &mut Explanation) -> Opt
     inputs.push(Uncertain::within_factor(1.0, found.error));
     inputs.extend(&found.inputs);
     let mut interval = through(&inputs, |x| (found.modulus)((found.stiffness)(&x[own + 1..]), &x[..own]) * x[own]);
+    // Where the eyes alone may be softer than the whole, the upper end is open. The lower end comes from samples in
+    // which they are a little stiffer. It then exceeds the modulus of every oil, so it is no bound.
+    let exceeds_oil = || {
+        let oil = drawing.known(Entry::OilModulus);
+        oil.zip(interval.low).is_some_and(|(oil, low)| low > oil.high)
+    };
+    if !found.is_bound && interval.high.is_none() && (interval.value.is_none() || exceeds_oil()) {
+        let why = phrases::EYES_TOO_SOFT.into();
+        to.unknown.push(Gap { name: NAME, why, entries: Vec::new(), parameters: Vec::new() });
+        return None;
+    }
     if found.is_bound {
         (interval.value, interval.high) = (None, None);
     }

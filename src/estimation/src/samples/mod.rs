@@ -91,6 +91,23 @@ pub fn tests(records: &[&Record]) -> Vec<Test> {
     of_each.into_iter().flatten().collect()
 }
 
+/// Makes the tests to which tests without cycles of another campaign are compared: each such record whole, and every
+/// stretch of it. The stretches that a fit chooses depend on the noise and on the number of records. So two campaigns
+/// with the same road may choose different ones.
+pub fn of_all_extents(records: &[&Record]) -> Vec<Test> {
+    let of = |(place, record): (usize, &&Record)| {
+        let motion = smooth(record);
+        [Extent::Whole, Extent::Every].map(|extent| road::tests(place, record, &motion, extent)).concat()
+    };
+    let of_each: Vec<Vec<Test>> = records.par_iter().enumerate().filter(|(_, r)| is_road(r)).map(of).collect();
+    of_each.into_iter().flatten().collect()
+}
+
+/// Returns whether a record has neither cycles nor a changing setting.
+pub fn is_road(record: &Record) -> bool {
+    record.setting_signal.is_none() && record.cycles.is_empty()
+}
+
 /// Makes the tests of a record. These are at most `most` stretches of its cycles, a road in the given extent, or one
 /// test with a changing setting.
 fn of_record(place: usize, record: &Record, most: usize, extent: Extent) -> Vec<Test> {

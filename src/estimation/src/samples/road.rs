@@ -39,6 +39,8 @@ pub enum Extent {
     Whole,
     /// At most the given number of stretches.
     Stretches(usize),
+    /// Every stretch from which [`Extent::Stretches`] chooses, each as a test.
+    Every,
 }
 
 impl Extent {
@@ -95,6 +97,10 @@ pub fn tests(place: usize, record: &Record, motion: &Motion, extent: Extent) -> 
     // Two steps of 1 ms count as 2 ms, despite the rounding of the clock.
     let stride = ((STEP / step.max(1e-9) + 1e-6) as usize).max(1);
     let road = |stride| Road { place, record, motion, picks: (0..n).step_by(stride).collect(), stride };
+    if let Extent::Every = extent {
+        let road = road(stride);
+        return road.stretches().into_iter().map(|range| road.test(range, LEAD, 1, ROAD)).collect();
+    }
     if let Extent::Stretches(most) = extent {
         let road = road(stride);
         let all = road.stretches();
@@ -255,6 +261,20 @@ mod tests {
         assert_eq!(choose(&cells, 2), [2, 4]);
         assert_eq!(choose(&cells, 3), [0, 2, 4]);
         assert_eq!(choose(&cells, 9).len(), cells.len());
+    }
+
+    #[test]
+    fn every_choice_of_stretches_is_among_all_stretches() {
+        let n = 20_000;
+        let time: Vec<f64> = (0..n).map(|k| 1e-3 * k as f64).collect();
+        let displacement = time.iter().map(|t| 0.02 * libm::sin(7.0 * t) * libm::sin(0.31 * t)).collect();
+        let velocity = vec![0.1; n];
+        let record = Record { time, displacement, velocity, force: vec![1.0; n], amplitude: 0.02, ..Record::default() };
+        let of = |extent| tests(0, &record, &smooth(&record), extent);
+        let clocks: Vec<f64> = of(Extent::Every).iter().map(|test| test.segment.clock).collect();
+        assert_eq!(clocks.len(), (n / 2 - LEAD) / STRETCH);
+        let chosen = of(Extent::Stretches(4));
+        assert!(chosen.len() == 4 && chosen.iter().all(|test| clocks.contains(&test.segment.clock)), "{clocks:?}");
     }
 
     #[test]

@@ -178,6 +178,11 @@ impl Session {
 
     /// Opens dropped or chosen paths: model files, files of dimensions, record files and folders.
     pub fn open(&mut self, paths: &[PathBuf]) {
+        self.open_with(paths, Options::default());
+    }
+
+    /// Opens files and folders like [`Session::open`], and reads records with `options`.
+    pub fn open_with(&mut self, paths: &[PathBuf], options: Options) {
         let is_model = |p: &PathBuf| {
             p.is_file()
                 && p.extension().is_some_and(|e| e.eq_ignore_ascii_case("toml"))
@@ -190,7 +195,7 @@ impl Session {
             self.replace(replacing::Replacement::File(model.clone()));
         }
         if !records.is_empty() {
-            self.open_records(records, Options::default());
+            self.open_records(records, options);
         }
         if let Some(drawing) = drawings.last() {
             self.open_drawing(drawing);

@@ -82,6 +82,8 @@ pub struct Diagnosed {
     pub left_out: Vec<bool>,
     /// Errors of the given, the refitted and the improved model over every sample of the tests.
     pub over_whole_records: OfDiagnosis,
+    /// Setting of the slider with its unit, if the tests of the other settings of an adjustable damper were not diagnosed.
+    pub only_at: Option<String>,
     /// The reference campaign of the diagnosis, if any. Another reference may be open when the report is written.
     pub reference: Option<Arc<Loaded>>,
 }

@@ -10,7 +10,7 @@ use dashpot_identification::family::fit_family;
 use dashpot_identification::model_file;
 use dashpot_identification::{FitOptions, Stage, fit};
 use dashpot_messages::Sentence;
-use dashpot_records::{Record, agree_on_sign, is_same_setting};
+use dashpot_records::{Record, agree_on_sign, is_same_setting, setting_in_words};
 use dashpot_simulation::whole_records::{self, OfDiagnosis};
 use std::borrow::Cow;
 
@@ -67,6 +67,8 @@ impl Session {
         let (Some(loaded), Some(model)) = (self.campaign.clone(), &self.model) else { return };
         let (params, ticked, reference) = (*model.params(), self.diagnosed(), self.reference.clone());
         let Some(basis) = self.basis_of_diagnosis() else { return };
+        let at = model.over_setting().filter(|_| ticked.len() < self.ticked().len());
+        let only_at = at.map(|(axis, setting)| setting_in_words(setting, axis.unit()));
         self.begin(Kind::Diagnose, move |report| {
             let mut own = Cow::Borrowed(&loaded.campaign);
             let mut good = reference.as_ref().map(|reference| reference.campaign.clone());
@@ -82,7 +84,7 @@ impl Session {
             let over_whole_records =
                 OfDiagnosis::evaluate(&params, &found.base, &found.improved, &found.measured, &records)
                     .map_err(Sentence::as_it_is)?;
-            let diagnosed = Diagnosed { found: Box::new(found), left_out, over_whole_records, reference };
+            let diagnosed = Diagnosed { found: Box::new(found), left_out, over_whole_records, only_at, reference };
             Ok(Outcome::Diagnosed(diagnosed, Box::new(basis)))
         });
     }

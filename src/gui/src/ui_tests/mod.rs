@@ -365,6 +365,29 @@ fn reading_is_corrected_by_hand_and_kept_for_every_verb() {
 }
 
 #[test]
+fn a_campaign_in_subfolders_opens_with_its_option_and_a_long_error_is_visible_as_a_whole() {
+    let folder = tempfile::tempdir().unwrap();
+    std::fs::create_dir(folder.path().join("soft")).unwrap();
+    campaign(&folder.path().join("soft"), 3);
+    let mut harness = window(vec![]);
+    harness.state_mut().session.open(&[folder.path().to_owned()]);
+    until(&mut harness, "the error", |app| app.session.task.is_none() && app.session.message.is_some());
+    let (text, wrong) = message(&harness);
+    assert!(wrong && text.contains("--subfolders"), "{text}");
+    let text = format!("{text} {}", "The error has more words than fit into one row of the window. ".repeat(5));
+    harness.state_mut().session.complain(dashpot_messages::Sentence::as_it_is(&text));
+    harness.step();
+    harness.step();
+    let rect = widget(&harness, Role::Label, &format!("⚠ {text}")).rect();
+    let screen = harness.ctx.content_rect();
+    assert!(rect.height() > 40.0 && screen.contains_rect(rect), "{rect:?} in {screen:?}");
+    let reading = dashpot_records::Options { subfolders: true, ..dashpot_records::Options::default() };
+    harness.state_mut().session.open_with(&[folder.path().to_owned()], reading);
+    until(&mut harness, "the records", |app| app.session.has_records());
+    assert_eq!(harness.state().session.campaign.as_ref().unwrap().tests.len(), 3);
+}
+
+#[test]
 fn five_hundred_tests_are_listed_and_drawn() {
     let folder = tempfile::tempdir().unwrap();
     let mut harness = opened(folder.path(), 500, vec![]);

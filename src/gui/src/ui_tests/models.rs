@@ -103,7 +103,7 @@ fn an_answer_that_is_not_of_what_is_on_screen_says_so_and_the_answer_comes_by_it
     // The panel begins with a sentence on the quality of the fit.
     harness.step();
     assert_eq!(harness.state().view.side, crate::views::Side::Result);
-    let quality = harness.state().session.results.fit.as_ref().unwrap().found.quality.unwrap();
+    let quality = harness.state().session.results.fit.as_ref().unwrap().found.quality.clone().unwrap();
     for (_, language) in Language::ALL.iter().rev() {
         harness.state_mut().view.language = *language;
         harness.step();

@@ -6,6 +6,9 @@ use super::{has, holds, press, says, widget};
 use crate::app::App;
 use crate::words::{Language, texts};
 use dashpot_identification::model_file::family_of_text;
+use dashpot_report::family::errors;
+use dashpot_report::quality;
+use dashpot_simulation::whole_records::Quality;
 use eframe::egui::Key;
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
@@ -80,6 +83,17 @@ fn each_test_is_compared_at_its_own_setting_or_all_at_the_slider() {
     computed(&mut harness);
     assert!(!is_old(&harness), "no ticked test is at the slider");
     assert_eq!(harness.state().session.diagnosed().len(), 1);
+    // The validation begins with a rating. The diagnosis of one of the settings says so.
+    harness.state_mut().view.side = crate::views::Side::Result;
+    harness.step();
+    let found = &harness.state().session.results.validation.as_ref().unwrap().found;
+    let rating = quality::sentence(&Quality::of_validation(found), Language::English.words());
+    assert!(says(&harness, &rating), "{rating}");
+    assert!(says(&harness, texts(Language::English).percent_of));
+    harness.state_mut().session.diagnose();
+    until(&mut harness, "the diagnosis", |app| app.session.results.diagnosis.is_some());
+    harness.step();
+    assert!(holds(&harness, "Only of the setting of the slider, 1 A: 1 of the ticked tests"));
     // Tuned values apply only to the test at 1 A.
     harness.state_mut().session.tune(|m| m.set(dashpot_core::number!("gas_force").row(), 0, 900.0));
     computed(&mut harness);
@@ -143,6 +157,9 @@ fn one_damper_over_the_setting_is_fitted_and_taken_back() {
         harness.state_mut().view.language = *language;
         harness.step();
         assert!(says(&harness, language.words().family_errors_section), "{language:?}");
+        let fit = &harness.state().session.results.family_fit.as_ref().unwrap().found;
+        let between = errors::between(fit, language.words());
+        assert!(says(&harness, &between), "{language:?}: {between}");
         let words = texts(*language);
         let panel = widget(&harness, Role::Button, words.tune).rect().left() - 8.0;
         for side in [words.tune, words.result] {

@@ -15,10 +15,12 @@ use dashpot_identification::validation::{Errors, Validation};
 use dashpot_identification::{Fit, Standing};
 use dashpot_report::diagnosis::changed_name;
 use dashpot_report::diagnosis::headline;
+use dashpot_report::family::errors;
 use dashpot_report::inventory::{probability, status_text};
 use dashpot_report::numbers::{digits, fraction};
 use dashpot_report::parameters::assumed_of;
 use dashpot_report::quality;
+use dashpot_simulation::whole_records::Quality;
 use eframe::egui::{self, RichText, Ui};
 
 /// Draws the panel: results that belong to the data on screen before those that are out of date, each newest first.
@@ -58,6 +60,11 @@ fn of_diagnosis(ui: &mut Ui, session: &Session, view: &mut View) -> bool {
     let (w, format, free) = (view.words(), view.format(), session.task.is_none());
     let (found, old) = (&answer.found.found, answer.is_old(session));
     heading(ui, w.diagnosis_result, old, w);
+    if let Some(setting) = &answer.found.only_at {
+        let tests = answer.found.left_out.len().to_string();
+        let setting = w.of.words().number(setting);
+        wrapped(ui, RichText::new(w.fill(w.diagnosed_at, &[("tests", &tests), ("setting", &setting)])).strong());
+    }
     wrapped(ui, RichText::new(format.restate(&headline(found, format.words()))).strong());
     // The buttons stand above the details, because the details exceed the height of the window.
     let take = ui.horizontal_wrapped(|ui| {
@@ -76,6 +83,9 @@ fn of_validation(ui: &mut Ui, session: &Session, view: &mut View) {
     let Some(answer) = &session.results.validation else { return };
     let (w, free, old) = (view.words(), session.task.is_none(), answer.is_old(session));
     heading(ui, w.validation_result, old, w);
+    let rating = quality::sentence(&Quality::of_validation(&answer.found), view.words().of.words());
+    wrapped(ui, RichText::new(view.format().restate(&rating)).strong());
+    between_settings(ui, session, view.format());
     let unit = session.model.as_ref().and_then(|model| Some(model.over_setting()?.0.unit()));
     validation(ui, &answer.found, unit.unwrap_or_default(), view.format());
     let offered = [(w.write_report, Paper::ValidationReport), (w.save_tables, Paper::ValidationTables)];
@@ -101,7 +111,17 @@ fn of_family_fit(ui: &mut Ui, session: &Session, view: &View) {
     let Some(answer) = &session.results.family_fit else { return };
     let w = view.words();
     heading(ui, w.fit_result, answer.is_old(session), w);
+    between_settings(ui, session, view.format());
     family_fit(ui, &answer.found, view.format());
+}
+
+/// Reports how well the last fit of an adjustable damper predicts a left-out setting. Reports nothing if the model, the records or the
+/// ticked tests have changed since that fit.
+fn between_settings(ui: &mut Ui, session: &Session, format: Format) {
+    let fit = session.results.family_fit.as_ref().filter(|fit| !fit.is_old(session));
+    if let Some(fit) = fit {
+        wrapped(ui, RichText::new(format.restate(&errors::between(&fit.found, format.words()))).strong());
+    }
 }
 
 /// Draws the title of a result. Marks the result if model, records or tests have changed since.
@@ -269,6 +289,7 @@ fn validation(ui: &mut Ui, found: &Validation, setting_unit: &str, format: Forma
         }
         row(w.all_tests, found.overall.tests, &found.overall.errors);
     });
+    wrapped(ui, RichText::new(w.percent_of).small().weak());
 }
 
 fn diagnosis(ui: &mut Ui, found: &Diagnosis, format: Format, asks: &mut Vec<Ask>) {

@@ -3,7 +3,27 @@
 use crate::session::Session;
 use crate::session::tasks::Kind;
 use crate::views::View;
-use eframe::egui::{self, Ui};
+use eframe::egui::{self, TextStyle, Ui};
+
+/// Height of the line with a message of one row, px.
+const LINE: f32 = 30.0;
+/// Width beside a message, px: the margins, and the duration of the simulation at the right.
+const BESIDE: f32 = 180.0;
+
+/// Formats the message about an error, or returns `None` if the line shows something else.
+fn complaint(session: &Session, view: &View) -> Option<String> {
+    let message = session.message.as_ref().filter(|message| message.wrong && session.task.is_none())?;
+    Some(format!("⚠ {}", view.format().say(&message.text)))
+}
+
+/// Returns the height of the line, px. It grows with the rows of a message about an error, so that the message is visible as a whole.
+pub fn height(ui: &Ui, session: &Session, view: &View) -> f32 {
+    let Some(text) = complaint(session, view) else { return LINE };
+    let font = TextStyle::Body.resolve(ui.style());
+    let width = (ui.available_width() - BESIDE).max(BESIDE);
+    let text = ui.painter().layout(text, font, ui.visuals().error_fg_color, width);
+    (LINE + text.size().y - ui.text_style_height(&TextStyle::Body)).max(LINE)
+}
 
 /// Draws the line at the bottom.
 pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
@@ -33,16 +53,18 @@ pub fn show(ui: &mut Ui, session: &mut Session, view: &View) {
             ui.label(format!("{now} · {seconds} s"));
             return;
         }
-        match &session.message {
-            Some(message) if message.wrong => {
-                let text =
-                    egui::RichText::new(format!("⚠ {}", format.say(&message.text))).color(ui.visuals().error_fg_color);
-                ui.add(egui::Label::new(text).wrap());
+        match (complaint(session, view), &session.message) {
+            (Some(text), _) => {
+                ui.scope(|ui| {
+                    ui.set_max_width((ui.available_width() - BESIDE).max(BESIDE));
+                    let text = egui::RichText::new(text).color(ui.visuals().error_fg_color);
+                    ui.add(egui::Label::new(text).wrap());
+                });
             }
-            Some(message) => {
+            (None, Some(message)) => {
                 ui.label(format.say(&message.text));
             }
-            None => {}
+            (None, None) => {}
         }
         ui.with_layout(egui::Layout::right_to_left(egui::Align::Center), |ui| {
             if let Some(simulated) = &session.simulated {

@@ -287,6 +287,8 @@ dashpot_messages::interface! {
         replacing_unsaved,
         replace_anyway,
         old_result,
+        percent_of,
+        diagnosed_at(tests setting),
         provisional,
         steady_force,
         stop_at_rest,

@@ -23,6 +23,9 @@ class EffectAtSetting(Result):
     force_n_rms: float
     """Rms force of the effect at this setting, N."""
     status: str
+    """Whether the most probable model has the effect: kept, added, removed or replaced."""
+    is_named: bool
+    """Whether the diagnosis of this setting names the effect. Only a named effect is a finding."""
 
 
 @dataclass(frozen=True, repr=False)
@@ -33,7 +36,7 @@ class EffectOverSettings(Result):
     at_all_settings: bool
     """Whether the damper has the effect at every diagnosed setting."""
     is_found: bool
-    """Whether the model lacks the effect at any diagnosed setting."""
+    """Whether the diagnosis names the effect at any setting, because the model lacks it there."""
     settings: tuple[EffectAtSetting, ...]
 
 

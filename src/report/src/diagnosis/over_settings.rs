@@ -98,10 +98,11 @@ impl SettingsReport<'_> {
             };
             vec![
                 words.named(of.effect).into(),
-                match (of.is_found, at.is_empty()) {
-                    (true, _) => words.status_added.into(),
-                    (false, false) => words.status_kept.into(),
-                    (false, true) => words.status_removed.into(),
+                match () {
+                    () if of.is_found => words.status_added.into(),
+                    () if of.is_added() => words.status_added_unnamed.into(),
+                    () if at.is_empty() => words.status_removed.into(),
+                    () => words.status_kept.into(),
                 },
                 if at.is_empty() { Cell::none() } else { at.into() },
                 each(of, &|at| words.number(&probability(at.probability))).into(),

@@ -40,6 +40,9 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let made = property_file(&file, args.model_curve, &args.output, (&named, &text), &chatters)
         .with_context(|| args.model.display().to_string())?;
     dashpot_output::write(&args.output, &made.text)?;
-    dashpot_output::say(Some(&args.output), &format!("{} points in {}", made.points, args.output.display()))?;
+    dashpot_output::say(
+        Some(&args.output),
+        &format!("{} points in {}", made.points, dashpot_output::target_name(&args.output)),
+    )?;
     made.remarks.iter().try_for_each(|remark| dashpot_output::say(Some(&args.output), &format!("  {remark}")))
 }

@@ -22,7 +22,7 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, &made.text)?;
     dashpot_output::say(
         Some(&args.output),
-        &format!("{} points in {}; {}", made.points, args.output.display(), made.other_contents),
+        &format!("{} points in {}; {}", made.points, dashpot_output::target_name(&args.output), made.other_contents),
     )?;
     made.remarks.iter().try_for_each(|remark| dashpot_output::say(Some(&args.output), &format!("  {remark}")))
 }
