@@ -125,7 +125,7 @@ const char *dashpot_version(void);
 // An address is not aligned for what it points to.
 #define DASHPOT_MISALIGNED -2
 
-// struct_size is not the size of that structure.
+// The struct_size of a structure is not the size that this library expects.
 #define DASHPOT_STRUCT_SIZE -3
 
 // abi_version is not the interface version of this library.

@@ -30,7 +30,7 @@ mod texts;
 mod tuning;
 
 pub use campaign::common_clock::apart;
-pub use campaign::imposed_motion::{MotionRecord, motion_limit, read_force_of_motion, read_motion};
+pub use campaign::imposed_motion::{MotionRecord, read_force_of_motion, read_motion};
 pub use campaign::loading::{Campaign, Progress, load};
 pub use campaign::motion_setting::{MotionSetting, SettingSource};
 pub use campaign::profile::Profile;
@@ -58,6 +58,7 @@ pub use peaks::columns::{PeakColumn, PeakOptions, PeakPair, Stroke, Taken};
 pub use peaks::table::{PeakPoint, Peaks, StrokeSource, peak_clicks, read_peaks};
 pub use quantities::channel::{Channel, assignment};
 pub use quantities::load_cell;
+pub use quantities::motion_limit::motion_limit;
 pub use quantities::reading::{Reading, digits, round_figure};
 pub use quantities::reading_unit::reading_unit;
 pub use quantities::setting_rules::SettingRules;

@@ -65,8 +65,9 @@ fn is_derivative(got: f64, force: &dyn Fn(f64) -> Option<f64>, widths: &[f64]) -
     (!sides.is_empty()).then(|| Err(format!("{got:.6e}, noise {noise:.1e} of {at:.3e} N, one-sided {sides:?}")))
 }
 
-/// Largest distance, m, of a displacement from the integral of a linear velocity at which the derivatives of `moving_mass` are those of
-/// that velocity (step.md of the book). The kernel compares the displacement of the curvature, which is at most this large.
+/// Largest distance, m, of a displacement from the integral of a linear velocity at which that velocity gives the derivatives.
+///
+/// This is a rule of `moving_mass` (step.md of the book). The kernel compares the displacement of the curvature, which is at most this large.
 const OF_A_LINEAR_VELOCITY: f64 = 1e-9;
 
 /// Returns whether a moving mass acts, and the displacement of a step is within [`OF_A_LINEAR_VELOCITY`] of the integral of a linear

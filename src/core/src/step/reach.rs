@@ -46,9 +46,9 @@ pub(super) fn line_by_place(e: &Elements<impl Tables>, at: &OperatingPoint, x_m:
     tangent_by_place(|at| e.inner(at), at, x_m)
 }
 
-/// Computes the derivative, N/m, of the force on the mass in a stage of the force paths with respect to the
-/// displacement of the moving end. It is 0 within the reach of the series spring. Beyond it, the end of the reach moves
-/// with the moving end, and with it the tangent that replaces the force.
+/// Computes the derivative, N/m, of the force on the mass with respect to the displacement of the moving end. It is 0
+/// within the reach of the series spring. Beyond it, the end of the reach moves with the moving end, and with it the
+/// tangent that replaces the force.
 #[inline(always)]
 pub(super) fn tangent_by_driven(
     e: &Elements<impl Tables>,

@@ -11,8 +11,8 @@ use crate::data::samples::Samples;
 use crate::error::{ColumnError, ImposedMotionError, RecordError, RecordFileError, SampleError};
 use crate::options::{Options, Positive};
 use crate::quantities::channel::Channel;
+use crate::quantities::motion_limit::motion_limit;
 use crate::signal::consistency;
-use crate::tuning::options::LARGEST_SETTING;
 
 /// A motion as recorded in its file: SI, extension (rebound) positive, not cleaned.
 ///
@@ -102,21 +102,6 @@ fn with_profile(file: &Path, options: &Options) -> Result<Options, RecordError> 
 /// Returns the factor, 1 or -1, that makes displacement and velocity of the file positive in extension.
 fn turn(options: &Options) -> f64 {
     if options.flip_motion != (options.positive == Some(Positive::Compression)) { -1.0 } else { 1.0 }
-}
-
-/// Returns the largest allowed magnitude of a channel in a motion, in SI units or in the unit of the setting.
-///
-/// The C interface of the kernel has the same limits for the side force, the temperature, and the sum of displacement
-/// and velocity. The limit of time allows a clock in seconds since 1970. The limit of force is never used, because a
-/// motion has no force.
-pub fn motion_limit(channel: Channel) -> f64 {
-    match channel {
-        Channel::Time => 1e10,
-        Channel::Displacement | Channel::Velocity => 1e3,
-        Channel::Force | Channel::SideForce => 1e9,
-        Channel::Temperature => 1e5,
-        Channel::Current | Channel::Setting => LARGEST_SETTING,
-    }
 }
 
 fn check(samples: &Samples) -> Result<(), RecordError> {

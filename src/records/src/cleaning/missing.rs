@@ -1,10 +1,10 @@
 //! Handles empty and not-a-number cells: drops the rows if they are few, otherwise rejects the record.
 
-use crate::campaign::imposed_motion::motion_limit;
 use crate::data::samples::Samples;
 use crate::error::{RecordError, SampleError};
 use crate::messages::phrases;
 use crate::quantities::channel::Channel;
+use crate::quantities::motion_limit::motion_limit;
 use crate::tuning::missing::{FRACTION, RUN};
 use dashpot_messages::{Sentence, format_decimals};
 

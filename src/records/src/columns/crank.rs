@@ -2,8 +2,8 @@
 //!
 //! If the lines above the table state the speed of the crank, the angle gives the time.
 
+use super::cell::number;
 use super::heading::words;
-use super::table::number;
 
 /// Headings of a column with the crank angle, as words without accents.
 const ANGLES: [&str; 11] = [

@@ -1,5 +1,6 @@
 //! Tables: the column headings, their channels and units, and the rows below them. All file formats use this module.
 
+pub(crate) mod cell;
 pub(crate) mod channel_headings;
 pub(crate) mod crank;
 pub mod delimiter;

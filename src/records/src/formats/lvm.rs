@@ -3,9 +3,10 @@
 //! A packet that continues the clock of the previous packet belongs to the same test. Any other packet whose time
 //! restarts is another test.
 
+use crate::columns::cell::number;
 use crate::columns::delimiter::split;
 use crate::columns::layout::Layout;
-use crate::columns::table::{Rows, is_header, no_header, number};
+use crate::columns::table::{Rows, is_header, no_header};
 use crate::data::samples::Samples;
 use crate::dates::clock;
 use crate::dates::date_order::DateOrder;

@@ -4,9 +4,10 @@ mod archive;
 
 use calamine::{Data, DataRef, ExcelDateTime, Reader, Xlsx};
 
+use crate::columns::cell::number;
 use crate::columns::layout::{Column, Layout};
 use crate::columns::non_data_lines::NonDataLines;
-use crate::columns::table::{HEADER_WITHIN, Rows, is_header, is_units_row, no_header_near, number};
+use crate::columns::table::{HEADER_WITHIN, Rows, is_header, is_units_row, no_header_near};
 use crate::data::samples::Samples;
 use crate::data::test_metadata::TestMetadata;
 use crate::dates::clock;

@@ -1,7 +1,8 @@
 //! Tables of peak force over peak velocity of an adjustable damper. They have a column for every click (`C 10 clk`) or
 //! a column that states the clicks. Each click has one curve.
 
-use crate::columns::table::{HEADER_WITHIN, number};
+use crate::columns::cell::number;
+use crate::columns::table::HEADER_WITHIN;
 use crate::quantities::setting_value::CLICKS;
 
 /// Rows of a table with their line numbers.

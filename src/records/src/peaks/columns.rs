@@ -4,9 +4,10 @@ use std::collections::BTreeMap;
 use std::fmt;
 use std::str::FromStr;
 
+use crate::columns::cell::number;
 use crate::columns::channel_headings::headings;
 use crate::columns::heading::{Heading, heading, nearest, without_unit, words};
-use crate::columns::table::{HEADER_WITHIN, is_units_row, number};
+use crate::columns::table::{HEADER_WITHIN, is_units_row};
 use crate::quantities::channel::Channel;
 use crate::quantities::unit::{Dimension, Unit};
 

@@ -7,8 +7,9 @@ use std::path::Path;
 
 use super::clicks::{TableRows, clicks, only};
 use super::columns::{self, PeakOptions, PeakPair, Stroke, Taken};
+use crate::columns::cell::number;
 use crate::columns::heading::{Heading, heading};
-use crate::columns::table::{HEADER_WITHIN, is_units_row, number};
+use crate::columns::table::{HEADER_WITHIN, is_units_row};
 use crate::error::{Place, RecordError, RecordFileError};
 use crate::file_extensions::extension;
 use crate::formats::csv::cells_of_text;

@@ -2,6 +2,7 @@
 
 pub(crate) mod channel;
 pub mod load_cell;
+pub(crate) mod motion_limit;
 pub(crate) mod reading;
 pub(crate) mod reading_unit;
 pub(crate) mod setting_rules;

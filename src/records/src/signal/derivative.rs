@@ -76,8 +76,8 @@ pub(crate) fn differentiate(time: &[f64], displacement: &[f64], window: f64) -> 
     (velocity, Filter { points: 2 * longest + 1, window, bandwidth: bandwidth(&last, step), shorter })
 }
 
-/// Limits the slope `cubic`, m/s, of the cubic over the window with `reach` samples on each side of the sample `at`, if
-/// this window contains a corner of the motion.
+/// Limits the slope `cubic`, m/s, of a cubic if its window contains a corner of the motion. The window has `reach`
+/// samples on each side of the sample `at`.
 ///
 /// A cubic across a corner overshoots by up to a sixth of the velocity step. The half of the window without the corner
 /// is then a straight line, and its residual variance is smaller than that of the cubic. In this case, the slope is

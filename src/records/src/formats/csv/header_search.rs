@@ -1,10 +1,11 @@
 //! Finds the line with the column headings of a text, and its delimiter.
 
 use super::lines::{is_comment, is_figure, uncommented};
+use crate::columns::cell::number;
 use crate::columns::delimiter::{self, split};
 use crate::columns::heading::{Heading, heading};
 use crate::columns::layout::{column_number, numbered};
-use crate::columns::table::{HEADER_WITHIN, is_header, is_units_row, number};
+use crate::columns::table::{HEADER_WITHIN, is_header, is_units_row};
 use crate::dates::clock;
 use crate::options::Options;
 

@@ -1,6 +1,6 @@
 //! Recognizes comments and numbers in the lines of a text.
 
-use crate::columns::table::number;
+use crate::columns::cell::number;
 use crate::dates::clock;
 
 /// Returns whether a line is empty or a comment.

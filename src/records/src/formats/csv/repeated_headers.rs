@@ -1,7 +1,7 @@
 //! Headers that an acquisition system repeats between its rows.
 
 use super::lines::is_comment;
-use crate::columns::table::number;
+use crate::columns::cell::number;
 use crate::dates::clock;
 
 /// Headers that an acquisition system, such as an MTS station, repeats before every block of rows.
