@@ -61,8 +61,15 @@ pub(super) fn tangent_by_driven(
     if displacement == x_m {
         return 0.0;
     }
-    let at = OperatingPoint { displacement, velocity, side_force, temperature };
-    tangent_by_place(|at| e.on_the_mass(at), &at, x_m)
+    beyond_reach(e, &OperatingPoint { displacement, velocity, side_force, temperature }, x_m)
+}
+
+/// Computes [`tangent_by_driven`] beyond the reach. Not inlined, because it is rare and every compiled set of elements
+/// would contain it.
+#[cold]
+#[inline(never)]
+fn beyond_reach(e: &Elements<impl Tables>, at: &OperatingPoint, x_m: f64) -> f64 {
+    tangent_by_place(|at| e.on_the_mass(at), at, x_m)
 }
 
 /// Computes [`line_by_place`] for any force.
