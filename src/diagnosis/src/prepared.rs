@@ -3,14 +3,13 @@
 use super::options::{DiagnosisError, Options};
 use super::{opposite, reference};
 use dashpot_core::Params;
-use dashpot_core::element;
 use dashpot_estimation::gap::errors;
 use dashpot_estimation::heating::Heating;
 use dashpot_estimation::refit::Effort;
 use dashpot_estimation::samples::{self, Test};
 use dashpot_estimation::sensitivity::Accuracy;
 use dashpot_estimation::situation::Situation;
-use dashpot_estimation::step_at_rest::read_step;
+use dashpot_estimation::step_at_rest::{has_dry_friction, read_step};
 use dashpot_estimation::structure::context::Structure;
 use dashpot_estimation::structure::curve_at_rest::with_other_form_at_rest;
 use dashpot_estimation::structure::starts::{self, StartModel};
@@ -49,12 +48,6 @@ pub(super) struct Against {
     pub shifted: Vec<String>,
 }
 
-/// Returns whether a model has any kind of dry friction.
-fn has_friction(params: &Params) -> bool {
-    let kinds = [element!("presliding_friction"), element!("coulomb_friction"), element!("stribeck_friction")];
-    kinds.iter().any(|friction| params.is_on(*friction))
-}
-
 /// Returns the structure with the step of its FV curve at zero velocity converted to friction and gas force. Returns
 /// the structure unchanged if it already has friction, or if the conversion raises the mean square residual by more
 /// than 5 %. `fit` fits a model to the records.
@@ -63,7 +56,7 @@ fn with_friction(structure: Structure, fit: impl Fn(&Params) -> Option<Structure
     /// accepted.
     const OPEN: f64 = 1.05;
     let params = structure.hypothesis.params(&structure.refit.theta);
-    if has_friction(&params) {
+    if has_dry_friction(&params) {
         return structure;
     }
     let read = read_step(&params).and_then(|read| fit(&read));
@@ -103,7 +96,7 @@ impl Prepared {
         let start = |params: &Params| no_heat(starts::from_params(params, &own.heating));
         let mut all = vec![start(params)];
         all.extend(with_other_form_at_rest(params).as_ref().map(start));
-        if !has_friction(params) {
+        if !has_dry_friction(params) {
             all.extend(starts::plain(&own.fitted, &own.heating, &|_| true).into_iter().map(no_heat));
         }
         let fit =

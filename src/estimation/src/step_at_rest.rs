@@ -6,6 +6,12 @@
 use crate::unknowns::anchor;
 use dashpot_core::{Params, element, list, number};
 
+/// Returns whether a model has dry friction that does not depend on the side force.
+pub fn has_dry_friction(params: &Params) -> bool {
+    let kinds = [element!("presliding_friction"), element!("coulomb_friction"), element!("stribeck_friction")];
+    kinds.iter().any(|friction| params.is_on(*friction))
+}
+
 /// Moves the step of the FV curve at zero velocity to Coulomb friction and gas force.
 ///
 /// The total force at all other points of the curve stays unchanged. Returns `None` if the curve has too few points, or

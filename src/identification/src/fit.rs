@@ -24,6 +24,7 @@ use dashpot_estimation::scale::Scale;
 use dashpot_estimation::segment::Segment;
 use dashpot_estimation::sensitivity::{self, Accuracy};
 use dashpot_estimation::situation::Situation;
+use dashpot_estimation::step_at_rest::has_dry_friction;
 use dashpot_estimation::structure::alternatives::{Alternative, alternatives};
 use dashpot_estimation::structure::component::Component;
 use dashpot_estimation::structure::context::{SearchContext, Structure};
@@ -535,29 +536,17 @@ fn fit_thesis(
 /// Returns notes on the measurement errors of a structure that are more improbable than probable. The most probable structure can contain
 /// such an error, because the probability is a sum over all structures with tempered weights.
 fn doubtful_errors(components: &[Component], probability: &impl Fn(&str) -> f64) -> Vec<Sentence> {
-    let is_error = |component: &&Component| component.frees.iter().any(|free| matches!(free, Free::Rig(_)));
     let is_doubtful = |component: &&Component| probability(component.effect) < 0.5;
     let note = |component: &Component| {
         let percent = format!("{:.0} %", 100.0 * probability(component.effect));
         Sentence::from(phrases::DOUBTFUL_ERROR).with("effect", component.effect).with("probability", percent)
     };
-    components.iter().filter(is_error).filter(is_doubtful).map(note).collect()
+    components.iter().filter(|c| c.is_of_measurement()).filter(is_doubtful).map(note).collect()
 }
 
 /// Returns whether the damper has a compliance, whose phase resembles that of a delay of the force channel.
 pub(crate) fn has_compliance(params: &Params) -> bool {
     params.is_on(element!("series_compliance")) || params.is_on(element!("oil_compressibility"))
-}
-
-/// Returns whether a model has dry friction of any kind.
-fn has_friction(params: &Params) -> bool {
-    let kinds = [
-        element!("coulomb_friction"),
-        element!("stribeck_friction"),
-        element!("presliding_friction"),
-        element!("side_force_friction"),
-    ];
-    kinds.iter().any(|friction| params.is_on(*friction))
 }
 
 /// Computes the intervals and measurement errors of the best structure. Adds notes on numbers that the records do not determine or that are
@@ -688,7 +677,8 @@ pub(crate) fn coverage_notes(segments: &[Segment], params: &Params) -> Vec<Sente
     let mut notes = Vec::new();
     let velocity = round_figure(1e3 * SLOW);
     if !segments.iter().any(|s| s.peak_velocity < SLOW) {
-        let said = if has_friction(params) { phrases::NO_SLOW_TEST } else { phrases::NO_SLOW_TEST_NO_FRICTION };
+        let has_friction = has_dry_friction(params) || params.is_on(element!("side_force_friction"));
+        let said = if has_friction { phrases::NO_SLOW_TEST } else { phrases::NO_SLOW_TEST_NO_FRICTION };
         notes.push(Sentence::from(said).with("velocity", &velocity));
     }
     let are_one = |amplitudes: &mut dyn Iterator<Item = f64>| {
@@ -720,15 +710,18 @@ mod tests {
 
     #[test]
     fn a_measurement_error_that_is_hardly_probable_is_said_to_be_doubtful() {
-        let component = |effect: &'static str, frees: Vec<Free>| Component {
+        let component = |effect: &'static str, elements: Vec<Element>, frees: Vec<Free>| Component {
             effect,
             form: "",
-            elements: Vec::new(),
+            elements,
             fixed: Vec::new(),
             frees,
             numbers: 1.0,
         };
-        let both = [component("gas_spring", Vec::new()), component("channel_delay", vec![Free::Rig(Artefact::Delay)])];
+        let both = [
+            component("gas_spring", vec![element!("gas_spring")], Vec::new()),
+            component("channel_delay", Vec::new(), vec![Free::Rig(Artefact::Delay)]),
+        ];
         let told = |probability: f64| doubtful_errors(&both, &|_: &str| probability);
         assert!(told(0.6).is_empty());
         let [note] = &told(0.11)[..] else { panic!("one note is expected") };

@@ -322,19 +322,22 @@ fn tell_splits(motions: &[CompleteTest], notes: &mut Vec<Note>) {
             }
         }
     }
+    let mut files: HashMap<&str, BTreeSet<&str>> = HashMap::new();
+    for (file, note) in &told {
+        files.entry(note.kind).or_default().insert(file);
+    }
     let mut grouped: Vec<Note> = Vec::new();
-    for (place, (file, note)) in told.iter().enumerate() {
-        let alike = || told.iter().filter(|(_, other)| other.kind == note.kind).map(|(file, _)| file.as_str());
-        let files: BTreeSet<&str> = alike().collect();
+    for (file, note) in &told {
+        let own = Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone());
+        let files = &files[note.kind];
         let text = if files.len() <= NOTED {
-            Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone())
-        } else if told[..place].iter().all(|(_, earlier)| earlier.kind != note.kind) {
-            let first = Sentence::from(phrases::OF_FILE).with("file", file).with_sentence("text", note.text.clone());
+            own
+        } else if grouped.iter().all(|earlier| earlier.kind != note.kind) {
             let names: Vec<&str> = files.iter().take(NOTED).copied().collect();
             Sentence::from(phrases::OF_FILES)
                 .with("count", files.len())
                 .with_names("names", names, phrases::COMMA)
-                .with_sentence("text", first)
+                .with_sentence("text", own)
         } else {
             continue;
         };

@@ -3,11 +3,11 @@
 use super::channel::Channel;
 use crate::tuning::options::LARGEST_SETTING;
 
-/// Returns the largest allowed magnitude of a channel in a motion, in SI units or in the unit of the setting.
+/// Returns the largest allowed magnitude of a channel, in SI units or in the unit of the setting. A larger value in a
+/// motion is an error. In a record, single larger values count as missing.
 ///
 /// The C interface of the kernel has the same limits for the side force, the temperature, and the sum of displacement
-/// and velocity. The limit of time allows a clock in seconds since 1970. The limit of force is never used, because a
-/// motion has no force.
+/// and velocity. The limit of time allows a clock in seconds since 1970. Only a record has a force.
 pub fn motion_limit(channel: Channel) -> f64 {
     match channel {
         Channel::Time => 1e10,
