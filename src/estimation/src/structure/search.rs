@@ -209,14 +209,13 @@ impl StructureSearch {
             if forms != Forms::Remaining {
                 self.last.clear();
             }
-            self.last.extend(trials);
+            self.last.extend(trials.iter().cloned());
             self.last.sort_by(|a, b| b.structure.log_posterior.total_cmp(&a.structure.log_posterior));
-            let trials = self.last.clone();
             if self.add(context, &trials) {
                 (is_unchecked, forms) = (true, Forms::Promising);
             } else if forms == Forms::Promising {
                 forms = Forms::Remaining;
-            } else if self.swap(context, &promising, &mut is_swapped) || self.add_two(context, &promising, &trials) {
+            } else if self.swap(context, &promising, &mut is_swapped) || self.add_two(context, &promising) {
                 (is_unchecked, forms) = (true, Forms::Promising);
             } else {
                 return;
@@ -224,12 +223,12 @@ impl StructureSearch {
         }
     }
 
-    /// Adds the most probable effect of an expansion if that raises the log posterior. Returns whether it did.
+    /// Adds the most probable effect among `trials` if that raises the log posterior. Returns whether it did.
     fn add(&mut self, context: &SearchContext, trials: &[Trial]) -> bool {
         let rare = count_rare(&self.best, context);
         // Unnamed errors compete with effects. A rare effect is added only if it is more probable than every unnamed
         // error, and if fewer than `context.most` rare effects are present.
-        let unnamed = trials.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
+        let unnamed = self.last.iter().filter(|t| t.unnamed.is_some()).map(|t| t.structure.log_posterior);
         let unnamed = unnamed.fold(f64::NEG_INFINITY, f64::max);
         let may = |t: &&Trial| {
             t.unnamed.is_none()
@@ -251,17 +250,17 @@ impl StructureSearch {
         true
     }
 
-    /// Adds two effects at once if the residual of the best structure exceeds the noise. `singles` are the trials of its
-    /// expansion by one effect. Returns whether a pair was better.
-    fn add_two(&mut self, context: &SearchContext, forms: &BTreeSet<Form>, singles: &[Trial]) -> bool {
+    /// Adds two effects at once if the residual of the best structure exceeds the noise. The first one is among the
+    /// trials of the last expansion. Returns whether a pair was better.
+    fn add_two(&mut self, context: &SearchContext, forms: &BTreeSet<Form>) -> bool {
         if self.best.evidence.mean() < QUIET * QUIET {
             return false;
         }
         let may = |t: &&Trial| t.unnamed.is_none() && count_rare(&t.structure, context) <= context.most;
-        let mut firsts: Vec<&Trial> = Vec::new();
-        for trial in singles.iter().filter(may) {
+        let mut firsts: Vec<Trial> = Vec::new();
+        for trial in self.last.iter().filter(may) {
             if firsts.len() < FIRSTS && firsts.iter().all(|first| first.form.0 != trial.form.0) {
-                firsts.push(trial);
+                firsts.push(trial.clone());
             }
         }
         let is_tried = |c: &Candidate| c.unnamed.is_none() && forms.contains(&(c.effect, c.form));
