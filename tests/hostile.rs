@@ -42,7 +42,7 @@ pub fn keep_for_fuzzer(name: &str, place: usize, bytes: &[u8]) {
         "dpr" | "adm" => "adams",
         "mf4" | "mdf" => "mdf",
         "rsp" => "rpc",
-        "csv" | "txt" | "dat" => "text",
+        "csv" | "txt" | "tsv" | "asc" | "dat" | "tra" | "lvm" => "text",
         other => other,
     };
     let folder = std::path::Path::new(&folder).join(target);

@@ -65,7 +65,7 @@ fn runtimes(project: &Path) {
     let (built, current) = (folder.join("sources.txt").is_file(), is_current(&folder));
     if built && !current {
         println!(
-            "cargo::warning=what lies in {} was compiled of other sources and is not taken in: run sh vi-crt-bridge/runtimes.sh again",
+            "cargo::warning=the FMU libraries in {} are of earlier sources, so this command cannot export FMUs: run sh vi-crt-bridge/runtimes.sh for that",
             folder.display()
         );
     }

@@ -141,8 +141,27 @@ impl Change {
         }
     }
 
-    /// Formats the change as a sentence, for example "gas_force -14.7 -> 24.0 N".
+    /// Returns whether the 95 % interval contains the value of the reference damper.
+    fn may_be_none(&self) -> bool {
+        (self.low..=self.high).contains(&self.reference)
+    }
+
+    /// Formats the change as a sentence, for example "gas_force -14.7 -> 24.0 N". If the interval contains the reference,
+    /// the sentence has the interval and says so.
     pub fn sentence(&self) -> Sentence {
+        let change = self.sentence_without_interval();
+        if !self.may_be_none() {
+            return change;
+        }
+        let reading = self.reading();
+        Sentence::from(phrases::UNCERTAIN_CHANGE)
+            .with_sentence("change", change)
+            .with("low", reading.low)
+            .with("high", reading.high)
+            .with("unit", reading.unit)
+    }
+
+    fn sentence_without_interval(&self) -> Sentence {
         // The unit is that of this damper's value, as in the table of changes. The reference has this unit as well.
         let reading = self.reading();
         let (factor, _) = reading_unit(self.value, self.unit);
@@ -166,5 +185,29 @@ impl Change {
         }
         let value = reading.with_unit();
         Sentence::from(phrases::OTHER_NUMBER).with("name", self.name).with("reference", reference).with("value", value)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_change_whose_interval_contains_the_reference_says_so() {
+        let change = |low: f64, high: f64| Change {
+            name: "rebound_curve",
+            reference: 1570.0,
+            value: 1312.0,
+            low,
+            high,
+            unit: "N",
+            velocity_m_s: Some(0.324),
+            probability: 0.93,
+            force_n_rms: 151.0,
+        };
+        let sure = change(1306.0, 1330.0).sentence().to_string();
+        assert!(sure.contains("-16 %") && !sure.contains("interval"), "{sure}");
+        let unsure = change(1306.0, 1988.0).sentence().to_string();
+        assert!(unsure.ends_with("but no change is within its 95 % interval (1306 to 1988 N)"), "{unsure}");
     }
 }

@@ -535,7 +535,11 @@ impl Composed<'_> {
                 confidence: probability(first.effect),
             });
         }
-        for trial in self.search.rivals.iter().chain(&self.search.last) {
+        // Suspects come first, because the verdict names them.
+        let rank = |effect: &str| judged.suspects.iter().position(|s| s.effect == effect).unwrap_or(usize::MAX);
+        let mut trials: Vec<_> = self.search.rivals.iter().chain(&self.search.last).collect();
+        trials.sort_by_key(|trial| rank(trial.form.0));
+        for trial in trials {
             let effect = trial.form.0;
             if rivals.len() < UNDECIDED && trial.unnamed.is_none() && rivals.iter().all(|r| r.effect != effect) {
                 rivals.push(proposed_test::Rival {

@@ -41,7 +41,6 @@ pub(super) struct Open<'a> {
 impl Open<'_> {
     /// Returns the suspects: effects that are not in the best structure, most probable first.
     pub fn suspects(&self) -> Vec<Rival> {
-        let best = self.best.evidence.mean();
         let mut all: Vec<Rival> = Vec::new();
         for trial in self.search.last.iter().filter(|t| t.unnamed.is_none() && self.is_open(t.form.0)) {
             let effect = trial.form.0;
@@ -52,10 +51,11 @@ impl Open<'_> {
             }
         }
         // Structures in which another effect replaces an effect of the best structure are only in the table of the
-        // search.
-        for (effect, (key, row)) in self.best_rows(None) {
-            if all.iter().all(|r| r.effect != effect) {
-                all.push(self.rival(effect, explained(self.without(key, effect).unwrap_or(best), row.mean_square)));
+        // search. An effect that only replaces one, and explains no more than the best structure does, is not missing.
+        for effect in self.best_rows(None).into_keys() {
+            let known = all.iter().any(|r| r.effect == effect);
+            if let Some(own) = self.alone(effect).filter(|_| !known) {
+                all.push(self.rival(effect, own));
             }
         }
         all.retain(is_listed);
@@ -94,12 +94,18 @@ impl Open<'_> {
         best
     }
 
-    /// Returns the mean square residual of a structure without one of its effects. Its difference from the residual of
-    /// the structure is the part that this effect alone explains. Returns `None` if the search did not visit the
-    /// structure without the effect.
-    fn without(&self, key: &[Form], effect: &str) -> Option<f64> {
-        let less: Vec<Form> = key.iter().filter(|form| form.0 != effect).copied().collect();
-        self.search.table.get(&less).map(|row| row.mean_square)
+    /// Returns the fraction of the disagreement that an effect alone explains: in the most probable structure with the
+    /// effect that the search also visited without it, and not more than this structure explains of the best one.
+    /// Returns `None` if the search visited no such pair.
+    fn alone(&self, effect: &str) -> Option<f64> {
+        let best = self.best.evidence.mean();
+        let pairs = self.search.table.iter().filter_map(|(key, row)| {
+            let less: Vec<Form> = key.iter().filter(|form| form.0 != effect).copied().collect();
+            let without = self.search.table.get(&less).filter(|_| less.len() < key.len())?;
+            Some((row, without.mean_square))
+        });
+        let (row, without) = pairs.max_by(|(a, _), (b, _)| a.log_posterior.total_cmp(&b.log_posterior))?;
+        Some(explained(without, row.mean_square).min(explained(best, row.mean_square)))
     }
 
     fn rival(&self, effect: &'static str, explained: f64) -> Rival {

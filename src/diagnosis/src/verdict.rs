@@ -21,6 +21,10 @@ use std::collections::BTreeSet;
 /// odds of such an error.
 const UNNAMED: f64 = 1.0;
 
+/// Smallest fraction of the disagreement that a suspect explains, relative to the suspect that explains most, at which
+/// the summary says that the records do not tell them apart. Others are listed with the part that they explain.
+const COMPARABLE: f64 = 0.25;
+
 /// Largest number of changes that the summary lists.
 const TOLD: usize = 3;
 
@@ -195,7 +199,10 @@ impl VerdictContext<'_> {
 
     /// Returns the verdict that the records do not distinguish the suspects.
     fn judge_ambiguous(self) -> Judged {
-        let effects: Vec<&str> = self.suspects.iter().map(|s| s.effect).collect();
+        // A suspect that explains little of what another one explains does not replace it.
+        let most = self.suspects.iter().map(|suspect| suspect.fraction).fold(0.0, f64::max);
+        let is_rival = |suspect: &&Rival| suspect.fraction >= COMPARABLE * most;
+        let effects: Vec<&str> = self.suspects.iter().filter(is_rival).map(|s| s.effect).collect();
         let why = match effects[..] {
             [one] => Sentence::from(phrases::TOO_FEW_TESTS).with("effect", one),
             _ => Sentence::from(phrases::NOT_APART).with_names("effects", effects, phrases::AND),

@@ -36,12 +36,14 @@ dashpot_messages::phrases! {
     NO_LEAK: "no leak shows beside the orifice";
     OPENING_AT: "opening at the largest force of the table";
     HAD_PRIOR: "the fit had a prior of the dimensions for it";
+    DOUBTFUL_EFFECT: "only if the damper has {effect}, which has a probability of {probability} in the fit";
     COMMA: ", ";
     IN_DOUBT: "uses {entries} as drawn, which the contradiction below puts in doubt";
     SEMICOLON: "; ";
     // Contradictions.
     CONTRADICTS_ONE: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} gives. {cause}";
     CONTRADICTS_SEVERAL: "The {noun} of the model, {model}, is {ratio} times the {dimensions} that {facts} give. {cause}";
+    CONTRADICTS_ZERO: "The {noun} of the model, {model}, contradicts the {dimensions} of {facts}. {cause}";
     EXPLAINED_BY: "The smallest single change of the drawing that explains it is {entry} = {value}.";
     NO_CAUSE: "No single entry of the drawing explains it.";
     PRESSURE_ON_ROD: "{pressure} bar on a rod of {diameter} mm";

@@ -12,7 +12,7 @@ pub fn restrict<T: PartialOrd>(value: T, low: T, high: T) -> T {
 pub fn split_unit(text: &str) -> Option<(f64, &str)> {
     let ends = text.char_indices().map(|(at, letter)| at + letter.len_utf8());
     // Use the longest prefix that is a number, so that the e of 1e-3s belongs to the number.
-    let longest = ends.filter_map(|end| Some((text[..end].parse::<f64>().ok()?, text[end..].trim()))).last();
+    let longest = ends.filter_map(|end| Some((text[..end].parse::<f64>().ok()?, text[end..].trim()))).next_back();
     longest.filter(|(value, _)| value.is_finite())
 }
 

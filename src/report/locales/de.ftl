@@ -84,7 +84,7 @@ fv-caption = Jeder Punkt ist die Kraft eines Versuchs bei seiner Spitzengeschwin
 worst-section = Schlechtester Versuch: { $test }
 worst-caption = Der Versuch mit dem größten Fehler in Prozent seiner Kraft.
 matrix-section = Fehler nach Amplitude und Spitzengeschwindigkeit
-matrix-about = Eine Zelle ist in Prozent der größten Kraft aller ihrer Versuche, auch derer bei anderer Einstellung. Im Bild der Versuche ist jeder Versuch in Prozent seiner eigenen größten Kraft. Eine Zelle kann daher kleiner sein als die Prozente ihrer Versuche.
+matrix-about = Eine Zeile ist in Prozent der größten Kraft aller ihrer Versuche, auch derer bei anderer Einstellung. Eine Zelle ist das Mittel ihrer Versuche, jeder in Prozent seiner eigenen größten Kraft, wie im Bild der Versuche. Eine Zeile mit schwachen Versuchen kann daher unter ihren Zellen liegen.
 key-section = Fehler in Zahlen
 tests-section = Fehler jedes Versuchs
 single-section = Einzelne Versuche
@@ -469,6 +469,7 @@ mean-cycles-caption = An mittleren Zyklen, die weniger rauschen als einzelne. Fe
 whole-deviation = im Mittel { $error } N ({ $percent } %)
 whole-records = Über alle Abtastwerte aller Messungen, wie dashpot validate misst: { $came } mit dem gegebenen Modell, { $refitted } neu angepasst, { $improved } verbessert. Die Zahlen darüber gelten für mittlere Zyklen, in denen das Rauschen herausgemittelt ist.
 whole-records-refitted = Über alle Abtastwerte aller Messungen, wie dashpot validate misst: { $came } mit dem gegebenen Modell, { $refitted } neu angepasst. Die Zahlen darüber gelten für mittlere Zyklen, in denen das Rauschen herausgemittelt ist.
+whole-records-other = So, wie es kam, verfehlt das Modell diese Messungen um { $came }; neu angepasst um { $refitted }. Es beschreibt also einen anderen Dämpfer, eine andere Einstellung oder eine andere Temperatur, und seine Zahlen haben sich verschoben.
 
 ## The picture of a diagnosis.
 
@@ -610,6 +611,7 @@ groups-subtitle = Modell { $model } gegen jede Gruppe; Referenz: { $reference }
 groups-section = Was sich in welcher Gruppe geändert hat
 groups-caption = Jede Gruppe neben der Referenz. N effektiv über die mittleren Zyklen der Versuche, das Modell neu angepasst: bevor ein Name hinzukommt, danach, und was allein das Rauschen ausmacht.
 group-against = { $group }, gegen { $reference }
+group-note = { $groups }: { $text }
 col-group = Gruppe
 col-answer = Ergebnis
 col-named = benannt
@@ -1386,6 +1388,7 @@ records-or-labels = { " " }Haben die Versuche mehrere Einstellungen, kann das au
 records-labels-deviate = die Kräfte von { $count } der { $all } Versuche widersprechen den anderen Versuchen bei ihrer Angabe { $name } und passen zu denen bei einer anderen: { $groups }. { $advice }
 records-label-group = { $tests } (Angabe { $stated }, Kräfte von { $fitting })
 records-label-group-or-unit = { $group }, oder { $likely } als { $written } geschrieben
+records-forces-unlike = die Kräfte von { $tests } weichen bei gleichen Geschwindigkeiten stärker von denen der anderen Versuche ab, als ein Dämpfer sie ändert ({ $test }: das { $factor }-Fache der anderen Versuche): Einheit, Verstärkung und Einstellung prüfen oder diese Versuche weglassen
 records-labels-check = Die Angaben dieser Versuche prüfen; ein berichtigter Wert gehört in campaign.toml unter settings
 records-labels-mirrored = Jeder von ihnen hat die Kraft von { $name } vom anderen Ende gezählt. Prüfen, von welchem Ende diese und die anderen Versuche zählen; berichtigte Werte gehören in campaign.toml unter settings
 records-missing-column = { $at }, Zeile { $line }: keine Spalte für { $missing }; die Spalten sind { $found }.{ $near } Die Spalte mit --column { $example }="Überschrift" nennen{ $otherwise }{ $units }
@@ -1798,6 +1801,7 @@ diagnosis-changed-compression-low = Kraft der Druckstufe bei kleiner Geschwindig
 diagnosis-changed-rebound-high = Kraft der Zugstufe bei hoher Geschwindigkeit { $percent } % ({ $reference } → { $value } N bei { $velocity } mm/s)
 diagnosis-changed-compression-high = Kraft der Druckstufe bei hoher Geschwindigkeit { $percent } % ({ $reference } → { $value } N bei { $velocity } mm/s)
 diagnosis-other-number = { $name } { $reference } → { $value }
+diagnosis-uncertain-change = { $change }, aber das 95-%-Intervall ({ $low } bis { $high } { $unit }) enthält auch den unveränderten Wert
 diagnosis-more-numbers = { " " }und { $count } weitere
 diagnosis-cannot-show = ; nicht zeigen können sie { $effects }
 diagnosis-not-confirmed = ; kein Versuch wurde zurückgehalten, um es zu bestätigen
@@ -1935,6 +1939,7 @@ dimensions-no-leak = neben der Drossel zeigt sich kein Leck
 dimensions-opening-at = Öffnung bei der größten Kraft der Tabelle
 dimensions-in-doubt = verwendet { $entries } nach Zeichnung; der Widerspruch unten stellt das in Frage
 dimensions-had-prior = die Anpassung hatte dafür einen Prior aus den Maßen
+dimensions-doubtful-effect = nur falls der Dämpfer { $effect } hat, was nach der Identifikation { $probability } wahrscheinlich ist
 dimensions-comma = ,{ " " }
 dimensions-semicolon = ;{ " " }
 
@@ -1942,6 +1947,7 @@ dimensions-semicolon = ;{ " " }
 
 dimensions-contradicts-one = { $noun } des Modells: { $model } sind das { $ratio }-Fache der { $dimensions }, die sich aus { $facts } ergeben. { $cause }
 dimensions-contradicts-several = { $noun } des Modells: { $model } sind das { $ratio }-Fache der { $dimensions }, die { $facts } ergeben. { $cause }
+dimensions-contradicts-zero = { $noun } des Modells: { $model } widersprechen den { $dimensions } aus { $facts }. { $cause }
 dimensions-explained-by = Die kleinste Änderung einer einzelnen Angabe der Zeichnung, die das erklärt, ist { $entry } = { $value }.
 dimensions-no-cause = Keine einzelne Angabe der Zeichnung erklärt das.
 dimensions-pressure-on-rod = { $pressure } bar auf einer Stange von { $diameter } mm

@@ -84,7 +84,7 @@ fv-caption = Each dot is the force of a test at its peak velocity, mean over its
 worst-section = Worst test: { $test }
 worst-caption = The test with the largest error in percent of its force.
 matrix-section = Errors by amplitude and peak velocity
-matrix-about = A cell is in percent of the largest force of all its tests, also of those at another setting. In the figure of the tests, each test is in percent of its own largest force. So a cell of weak tests may be smaller than their own percentages.
+matrix-about = A row is in percent of the largest force of all its tests, also of those at another setting. A cell is the mean of its tests, each in percent of its own largest force, as in the figure of the tests. So a row with weak tests may be below its cells.
 key-section = Errors in figures
 tests-section = Errors of every test
 single-section = Single tests
@@ -463,6 +463,7 @@ mean-cycles-caption = On mean cycles, which have less noise than single ones. Er
 whole-deviation = { $error } N mean ({ $percent } %)
 whole-records = Over every sample of all records, as dashpot validate measures: { $came } as the model came, { $refitted } refitted, { $improved } improved. The figures above are of mean cycles, in which noise is averaged out.
 whole-records-refitted = Over every sample of all records, as dashpot validate measures: { $came } as the model came, { $refitted } refitted. The figures above are of mean cycles, in which noise is averaged out.
+whole-records-other = As it came, the model misses these records by { $came }; refitted to them, by { $refitted }. So it describes another damper, another setting or another temperature, and its numbers moved.
 
 ## The picture of a diagnosis.
 
@@ -604,6 +605,7 @@ groups-subtitle = Model { $model } against each group; reference: { $reference }
 groups-section = What changed in which group
 groups-caption = Every group beside the reference. N rms over the mean cycles of the tests, the model refitted: before a name is added, after, and what noise makes of it.
 group-against = { $group }, against { $reference }
+group-note = { $groups }: { $text }
 col-group = group
 col-answer = answer
 col-named = named

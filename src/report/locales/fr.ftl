@@ -84,7 +84,7 @@ fv-caption = Chaque point est l’effort d’un essai à sa vitesse de pointe, m
 worst-section = Essai le moins bon : { $test }
 worst-caption = L’essai au plus grand écart en pour cent de son effort.
 matrix-section = Écarts par amplitude et vitesse de pointe
-matrix-about = Une case est en pour cent de l’effort maximal de tous ses essais, y compris à un autre réglage. Dans la figure des essais, chaque essai est en pour cent de son propre effort maximal. Une case peut donc être plus petite que les pourcentages de ses essais.
+matrix-about = Une ligne est en pour cent de l’effort maximal de tous ses essais, y compris à un autre réglage. Une case est la moyenne de ses essais, chacun en pour cent de son propre effort maximal, comme dans la figure des essais. Une ligne avec des essais faibles peut donc être inférieure à ses cases.
 key-section = Écarts en chiffres
 tests-section = Écarts de chaque essai
 single-section = Essais un par un
@@ -475,6 +475,7 @@ mean-cycles-caption = Sur des cycles moyens, moins bruités que des cycles seuls
 whole-deviation = { $error } N en moyenne ({ $percent } %)
 whole-records = Sur tous les échantillons de toutes les mesures, comme le fait dashpot validate : { $came } avec le modèle tel que fourni, { $refitted } réajusté, { $improved } amélioré. Les chiffres ci-dessus portent sur des cycles moyens, où le bruit s’annule en moyenne.
 whole-records-refitted = Sur tous les échantillons de toutes les mesures, comme le fait dashpot validate : { $came } avec le modèle tel que fourni, { $refitted } réajusté. Les chiffres ci-dessus portent sur des cycles moyens, où le bruit s’annule en moyenne.
+whole-records-other = Tel que fourni, le modèle s’écarte de ces mesures de { $came } ; réajusté, de { $refitted }. Il décrit donc un autre amortisseur, un autre réglage ou une autre température, et ses valeurs ont changé.
 
 ## The picture of a diagnosis.
 
@@ -616,6 +617,7 @@ groups-subtitle = Modèle { $model } face à chaque groupe ; référence : { $re
 groups-section = Ce qui a changé dans quel groupe
 groups-caption = Chaque groupe à côté de la référence. N efficaces sur les cycles moyens des essais, le modèle réajusté : avant d’ajouter un nom, après, et ce que donne le bruit seul.
 group-against = { $group }, face à { $reference }
+group-note = { $groups } : { $text }
 col-group = groupe
 col-answer = résultat
 col-named = nommé
@@ -1425,6 +1427,7 @@ records-or-labels = { " " }Si les essais ont plusieurs réglages, des indication
 records-labels-deviate = les efforts de { $count } des { $all } essais contredisent ceux des autres essais à leur { $name } et s’accordent avec ceux d’un autre réglage : { $groups }. { $advice }
 records-label-group = { $tests } (indication { $stated }, efforts de { $fitting })
 records-label-group-or-unit = { $group }, ou { $likely } écrit { $written }
+records-forces-unlike = les efforts de { $tests } s’écartent de ceux des autres essais à vitesse égale plus qu’un amortisseur ne les change ({ $test } : { $factor } fois ceux des autres essais) : vérifier l’unité, le gain et le réglage, ou exclure ces essais
 records-labels-check = Vérifier les indications de ces essais ; une valeur corrigée se met dans campaign.toml sous settings
 records-labels-mirrored = Chacun a l’effort de { $name } compté depuis l’autre bout. Vérifier de quel bout comptent ces essais et les autres ; les valeurs corrigées se mettent dans campaign.toml sous settings
 records-missing-column = { $at }, ligne { $line } : aucune colonne pour { $missing } ; les colonnes sont { $found }.{ $near } Nommer la colonne par --column { $example }="en-tête"{ $otherwise }{ $units }
@@ -1843,6 +1846,7 @@ diagnosis-changed-compression-low = effort en compression à basse vitesse { $pe
 diagnosis-changed-rebound-high = effort en détente à haute vitesse { $percent } % ({ $reference } → { $value } N à { $velocity } mm/s)
 diagnosis-changed-compression-high = effort en compression à haute vitesse { $percent } % ({ $reference } → { $value } N à { $velocity } mm/s)
 diagnosis-other-number = { $name } { $reference } → { $value }
+diagnosis-uncertain-change = { $change }, mais son intervalle à 95 % ({ $low } à { $high } { $unit }) contient aussi la valeur inchangée
 diagnosis-more-numbers = { " " }et { $count } autres
 diagnosis-cannot-show = { " " }; elles ne peuvent montrer { $effects }
 diagnosis-not-confirmed = { " " }; aucun essai n’a été mis de côté pour le confirmer
@@ -1980,6 +1984,7 @@ dimensions-no-leak = aucune fuite n’apparaît à côté de l’orifice
 dimensions-opening-at = ouverture au plus grand effort de la table
 dimensions-in-doubt = utilise { $entries } selon le plan, ce que la contradiction ci-dessous met en doute
 dimensions-had-prior = l’ajustement avait pour cela un a priori tiré des dimensions
+dimensions-doubtful-effect = seulement si l’amortisseur a { $effect }, dont la probabilité dans l’identification est de { $probability }
 dimensions-comma = ,{ " " }
 dimensions-semicolon = { " " };{ " " }
 
@@ -1987,6 +1992,7 @@ dimensions-semicolon = { " " };{ " " }
 
 dimensions-contradicts-one = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donne { $facts }. { $cause }
 dimensions-contradicts-several = { $noun } du modèle : { $model }, soit { $ratio } fois les { $dimensions } que donnent { $facts }. { $cause }
+dimensions-contradicts-zero = { $noun } du modèle : { $model }, ce qui contredit les { $dimensions } de { $facts }. { $cause }
 dimensions-explained-by = Le plus petit changement d’une seule entrée du plan qui l’explique est { $entry } = { $value }.
 dimensions-no-cause = Aucune entrée du plan ne l’explique à elle seule.
 dimensions-pressure-on-rod = { $pressure } bar sur une tige de { $diameter } mm

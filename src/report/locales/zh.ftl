@@ -75,7 +75,7 @@ fv-caption = 每个点是一个试验在其峰值速度下的力（各周期平�
 worst-section = 误差最大的试验：{ $test }
 worst-caption = 相对其力的百分比误差最大的试验。
 matrix-section = 按振幅和峰值速度的误差
-matrix-about = 每个单元格以其全部试验（包括其他设置下的试验）的最大力为百分比基准。在试验图中，每个试验以其自身的最大力为基准。因此单元格的值可能小于其各试验的百分比。
+matrix-about = 每一行以其全部试验（包括其他设置下的试验）的最大力为百分比基准。每个单元格是其各试验的平均值，每个试验以其自身的最大力为基准，与试验图相同。因此含有较弱试验的行可能低于其单元格。
 key-section = 误差数据
 tests-section = 各试验的误差
 single-section = 单个试验
@@ -418,6 +418,7 @@ mean-cycles-caption = 针对平均周期，其噪声小于单个周期。误差�
 whole-deviation = 平均 { $error } N（{ $percent } %）
 whole-records = 对全部记录的每个采样点（与 dashpot validate 的算法相同）：原模型{ $came }，重新拟合后{ $refitted }，改进后{ $improved }。上面的数字针对平均周期，其中噪声已被平均掉。
 whole-records-refitted = 对全部记录的每个采样点（与 dashpot validate 的算法相同）：原模型{ $came }，重新拟合后{ $refitted }。上面的数字针对平均周期，其中噪声已被平均掉。
+whole-records-other = 原模型与这些记录相差 { $came }；重新拟合后相差 { $refitted }。因此它描述的是另一支减振器、另一设定或另一温度，其参数已改变。
 
 ## The picture of a diagnosis.
 
@@ -559,6 +560,7 @@ groups-subtitle = 模型 { $model } 与各组对比；参考：{ $reference }
 groups-section = 各组的变化
 groups-caption = 各组与参考对比。各试验平均周期上的均方根（N），模型重新拟合：加入名称之前、之后，以及噪声所致。
 group-against = { $group }，与 { $reference } 对比
+group-note = { $groups }：{ $text }
 col-group = 组
 col-answer = 结论
 col-named = 确定的效应
@@ -1218,6 +1220,7 @@ records-or-labels = 若试验有多个设定，错误的标注也会造成同样
 records-labels-deviate = { $all } 个试验中有 { $count } 个的力与同一 { $name } 的其他试验矛盾，而与另一设定的试验一致：{ $groups }。{ $advice }
 records-label-group = { $tests }（标注 { $stated }，力属于 { $fitting }）
 records-label-group-or-unit = { $group }，或 { $likely } 写成了 { $written }
+records-forces-unlike = 在相同速度下，{ $tests } 的力与其他试验的力相差超出减振器自身的变化（{ $test }：为其他试验的 { $factor } 倍）：请检查单位、增益和设定，或不使用这些试验
 records-labels-check = 请检查这些试验的标注；更正值写入 campaign.toml 的 settings
 records-labels-mirrored = 每个试验的力都相当于从另一端计数的 { $name }。请检查这些试验与其他试验从哪一端计数；更正值写入 campaign.toml 的 settings
 records-missing-column = { $at }，第 { $line } 行：没有{ $missing }的列；现有各列为 { $found }。{ $near }请用 --column { $example }="列名" 指定{ $otherwise }{ $units }
@@ -1576,6 +1579,7 @@ diagnosis-changed-compression-low = 低速压缩力 { $percent } %（{ $velocity
 diagnosis-changed-rebound-high = 高速复原力 { $percent } %（{ $velocity } mm/s 处 { $reference } → { $value } N）
 diagnosis-changed-compression-high = 高速压缩力 { $percent } %（{ $velocity } mm/s 处 { $reference } → { $value } N）
 diagnosis-other-number = { $name } { $reference } → { $value }
+diagnosis-uncertain-change = { $change }，但其 95 % 区间（{ $low } 至 { $high } { $unit }）也包含未变化的值
 diagnosis-more-numbers = ，另有 { $count } 处
 diagnosis-cannot-show = ；它们无法显示 { $effects }
 diagnosis-not-confirmed = ；没有留出试验来证实
@@ -1713,6 +1717,7 @@ dimensions-no-leak = 除节流孔外未见泄漏
 dimensions-opening-at = 表中最大力时的开口
 dimensions-in-doubt = 按图纸使用 { $entries }，下述矛盾使其存疑
 dimensions-had-prior = 拟合时对此使用了尺寸先验
+dimensions-doubtful-effect = 仅当减振器具有{ $effect }时成立，其在拟合中的概率为 { $probability }
 dimensions-comma = 、
 dimensions-semicolon = ；
 
@@ -1720,6 +1725,7 @@ dimensions-semicolon = ；
 
 dimensions-contradicts-one = 模型的{ $noun }为 { $model }，是由 { $facts } 得出的 { $dimensions } 的 { $ratio } 倍。{ $cause }
 dimensions-contradicts-several = 模型的{ $noun }为 { $model }，是 { $facts } 给出的 { $dimensions } 的 { $ratio } 倍。{ $cause }
+dimensions-contradicts-zero = 模型的{ $noun }为 { $model }，与 { $facts } 的 { $dimensions } 矛盾。{ $cause }
 dimensions-explained-by = 能解释它的图纸单项最小改动是 { $entry } = { $value }。
 dimensions-no-cause = 图纸中没有任何单独一项能解释它。
 dimensions-pressure-on-rod = { $pressure } bar 作用于 { $diameter } mm 的活塞杆

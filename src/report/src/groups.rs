@@ -11,6 +11,7 @@ use dashpot_core::{Model, Params};
 use dashpot_diagnosis::groups::{GroupResult, GroupResults};
 use dashpot_diagnosis::{Change, Diagnosis, Finding};
 use dashpot_identification::Standing;
+use dashpot_messages::Sentence;
 use dashpot_simulation::prediction::between_velocities;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -28,6 +29,10 @@ pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Wo
     if !changed.rows.is_empty() {
         let folded = Block::Folded(words.numbers_section.to_owned(), changed);
         sections.push(Section::new("numbers", words.numbers_section, vec![folded]));
+    }
+    let notes = notes(answers, words);
+    if !notes.is_empty() {
+        sections.push(Section::new("notes", words.remarks, vec![Block::List(notes)]));
     }
     if let Some(text) = &answers.as_the_fit_saw {
         sections.push(Section::new("measurement", words.measurement_section, vec![Block::Warning(words.say(text))]));
@@ -47,6 +52,28 @@ pub fn page(answers: &GroupResults, model: &Path, made: Made, words: &'static Wo
     let model = model.display().to_string();
     let subtitle = words.fill(words.groups_subtitle, &[("model", &model), ("reference", &answers.reference)]);
     Page { subtitle, sections, made, words }
+}
+
+/// Returns the notes of all diagnoses: each once, after the groups that have it, unless all have it.
+fn notes(answers: &GroupResults, words: &Words) -> Vec<String> {
+    let mut notes: Vec<(&Sentence, Vec<String>)> = Vec::new();
+    for answer in &answers.groups {
+        for note in &answer.diagnosis.notes {
+            let group = label(answer, answers, words);
+            match notes.iter_mut().find(|(known, _)| *known == note) {
+                Some((_, groups)) => groups.push(group),
+                None => notes.push((note, vec![group])),
+            }
+        }
+    }
+    let format = |(note, groups): (&Sentence, Vec<String>)| {
+        let text = words.say(note);
+        if groups.len() == answers.groups.len() {
+            return text;
+        }
+        words.fill(words.group_note, &[("groups", &groups.join(words.comma)), ("text", &text)])
+    };
+    notes.into_iter().map(format).collect()
 }
 
 /// Formats the name of a group. If the group has another reference than the first group, the name includes this reference.

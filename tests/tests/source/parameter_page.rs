@@ -106,7 +106,7 @@ fn the_page_follows_the_table() {
 #[test]
 fn the_header_and_the_page_have_the_same_bounds() {
     let header = std::fs::read_to_string(dashpot_tests::header::path()).unwrap();
-    let page = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/parameters.md")).unwrap();
+    let page = page();
     let mut compared = 0;
     for p in parameter::table().map(|row| row.parameter).filter(|p| !matches!(p.shape, Shape::Choice(_))) {
         let line = header

@@ -470,7 +470,10 @@ fn nothing_falls_short_by_more_than_is_stated() {
         println!("{part}: {} {rule}", cases.len());
         cases.iter().filter(|case| !case.is_empty()).for_each(|case| println!("    {case}"));
         match cases.len().cmp(&allowed) {
-            std::cmp::Ordering::Greater => wrong.push(format!("{part}: {} {rule}, allowed {allowed}", cases.len())),
+            std::cmp::Ordering::Greater => {
+                let places = cases.join("\n    ");
+                wrong.push(format!("{part}: {} {rule}, allowed {allowed}\n    {places}", cases.len()));
+            }
             std::cmp::Ordering::Less => wrong.push(format!("{part}: {rule}: lower it to {}", cases.len())),
             std::cmp::Ordering::Equal => {}
         }

@@ -84,6 +84,37 @@ fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_m
 }
 
 #[test]
+fn a_drawing_without_gas_pressure_is_contradicted_without_a_ratio() {
+    let folder = folder(MODEL, "rod_mm = 12\ngas_pressure_bar = 0\n");
+    done(folder.path(), &["explain", "m.toml", "--dimensions", "d.toml", "--json", "e.json"]);
+    let found = std::fs::read_to_string(folder.path().join("e.json")).unwrap();
+    let found: serde_json::Value = serde_json::from_str(&found).unwrap();
+    let text = found["contradictions"][0]["text"].as_str().unwrap();
+    assert!(
+        text.starts_with("The gas force of the model, 283 N, contradicts the 0 N of 0 bar on a rod of 12 mm."),
+        "{text}"
+    );
+    assert!(text.contains("gas_pressure_bar = 25.0"), "{text}");
+}
+
+#[test]
+fn a_quantity_from_a_doubtful_effect_says_so() {
+    let note = "[identification]\nnotes = [\"oil_compressibility: 30 N rms, 9 % of the force; probability 11 %\"]\n\n";
+    let model = MODEL.replace("[identification.intervals]", &format!("{note}[identification.intervals]"));
+    let folder = folder(
+        &model,
+        &DRAWING.replace("tube_wall_mm = 50", "tube_wall_mm = 50\ngas_pressure_bar = 20\noil_modulus_gpa = 1.7"),
+    );
+    let found = explained(folder.path());
+    // The air content follows from the modulus, so it is as doubtful.
+    for name in ["oil_modulus_effective", "air_content"] {
+        let said = quantity(&found, name)["note"].to_string();
+        assert!(said.contains("only if the damper has oil_compressibility") && said.contains("11 %"), "{name}: {said}");
+    }
+    assert!(!quantity(&found, "gas_pressure")["note"].to_string().contains("11 %"), "{found}");
+}
+
+#[test]
 fn a_slip_in_the_drawing_is_named_and_nothing_is_written() {
     for (text, part) in [
         ("bor_mm = 40\n", "line 1: bor_mm is no entry of a drawing; did you mean bore_mm?"),

@@ -75,6 +75,7 @@ impl Diagnosed {
     /// Formats the text output.
     pub fn lines(&self) -> Vec<String> {
         let mut lines = format_diagnosis(&self.found);
+        lines.splice(1..1, whole_records::of_another_damper(&self.over_whole_records, &TERMINAL));
         lines.push(whole_records::format_errors(&self.over_whole_records, &TERMINAL));
         lines
     }

@@ -3,6 +3,7 @@
 use crate::plural::count_tests;
 use dashpot_diagnosis::groups::GroupResults;
 use dashpot_diagnosis::{Change, Verdict};
+use dashpot_messages::Sentence;
 use dashpot_report::numbers::{fraction, with_interval, with_unit};
 use dashpot_report::words::TERMINAL;
 
@@ -24,6 +25,11 @@ fn foremost(changed: &[Change]) -> &[Change] {
     &changed[..TOLD.min(changed.len())]
 }
 
+/// Returns whether the diagnoses of all groups have a note.
+fn is_of_all(answers: &GroupResults, note: &Sentence) -> bool {
+    answers.groups.iter().all(|answer| answer.diagnosis.notes.contains(note))
+}
+
 /// Formats the result of each group, with the parameters that changed in it, and notes. A group has one line, and at most [`TOLD`] + 1
 /// lines on parameters.
 pub fn format_groups(answers: &GroupResults) -> Vec<String> {
@@ -43,6 +49,8 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             let (value, interval) = with_interval(of.value, of.low, of.high, of.unit, &TERMINAL);
             lines.push(format!("    {name:<30} {value:>16}  95 %: {interval}"));
         }
+        let own = answer.diagnosis.notes.iter().filter(|note| !is_of_all(answers, note));
+        lines.extend(own.map(|note| format!("    note: {note}")));
         // If the parameters of a damper changed and no effect is missing, the summary already states the changes.
         if answer.diagnosis.verdict == Verdict::Changed {
             continue;
@@ -57,6 +65,8 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             lines.push(format!("    and {}: --report or --json has them", count_more(all - changed.len())));
         }
     }
+    let first = answers.groups.first().map_or(&[][..], |answer| &answer.diagnosis.notes);
+    lines.extend(first.iter().filter(|note| is_of_all(answers, note)).map(|note| format!("note: {note}")));
     lines.extend(answers.as_the_fit_saw.iter().map(|text| format!("note: {text}")));
     if !answers.left_aside.is_empty() {
         lines.push(format!(

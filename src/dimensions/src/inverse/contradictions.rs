@@ -3,7 +3,7 @@
 use super::model::{Identified, Standing};
 use super::report::{Cause, Contradiction, Explanation, digits};
 use crate::dimensions::Dimensions;
-use crate::entry::{ENTRIES, Entry};
+use crate::entry::{ENTRIES, Entry, EntryRow};
 use crate::forward::{Expectation, central, expectations};
 use crate::phrases;
 use crate::uncertain::{Uncertain, through};
@@ -90,6 +90,8 @@ pub(super) fn explain(model: &Identified, drawing: &Dimensions, to: &mut Explana
     if let (Some(gas), Standing::Off, Standing::Known(own)) =
         (find(number!("gas_stiffness")), model.number(number!("gas_stiffness")), model.number(number!("spring_linear")))
         && own.high < gas.expected.low
+        // A spring without a linear term has another law, whose stiffness at zero says nothing about the gas.
+        && own.value > 0.0
     {
         let of_drawing = |of: &Dimensions| central(of, number!("gas_stiffness"));
         let stand = Stand { number: number!("spring_linear"), noun: "parallel spring", central: &of_drawing };
@@ -131,7 +133,13 @@ fn contradiction(own: Uncertain, expectation: Expectation, stand: &Stand<'_>, dr
         }
         None => phrases::NO_CAUSE.into(),
     };
-    let text = Sentence::from(if is_one { phrases::CONTRADICTS_ONE } else { phrases::CONTRADICTS_SEVERAL })
+    // A drawing may state zero, for example no gas pressure. Then there is no ratio.
+    let template = match (dimensions == 0.0, is_one) {
+        (true, _) => phrases::CONTRADICTS_ZERO,
+        (false, true) => phrases::CONTRADICTS_ONE,
+        (false, false) => phrases::CONTRADICTS_SEVERAL,
+    };
+    let text = Sentence::from(template)
         .with_word("noun", stand.noun)
         .with("model", with_unit(model))
         .with("ratio", two_digits(model / dimensions))
@@ -158,6 +166,9 @@ fn causes(own: f64, expectation: &Expectation, stand: &Stand<'_>, drawing: &Dime
         .filter_map(|row| {
             let stated = drawing.stated(row.entry)?;
             let bounds = (row.bounds.0 * row.to_si, row.bounds.1 * row.to_si);
+            if stated.value == 0.0 {
+                return cause_of_zero(own, row, stand, drawing);
+            }
             let log_ratio = |change: f64| {
                 let by = libm::exp(change);
                 let value = Uncertain { value: by * stated.value, low: by * stated.low, high: by * stated.high };
@@ -176,6 +187,20 @@ fn causes(own: f64, expectation: &Expectation, stand: &Stand<'_>, drawing: &Dime
         .collect();
     causes.sort_by(|a, b| a.tolerances.total_cmp(&b.tolerances));
     causes
+}
+
+/// Returns the value of an entry stated as zero that explains the value of the model. Its change is relative to the
+/// tolerance of that value.
+fn cause_of_zero(own: f64, row: &EntryRow, stand: &Stand<'_>, drawing: &Dimensions) -> Option<Cause> {
+    let largest = row.bounds.1 * row.to_si;
+    let value_at = |change: f64| largest * libm::expm1(change) / libm::expm1(LARGEST_CHANGE);
+    let difference = |change: f64| {
+        let stated = Uncertain { value: value_at(change), low: value_at(change), high: value_at(change) };
+        let central = (stand.central)(&drawing.clone().with(row.entry, stated))?;
+        Some(central / own - 1.0).filter(|difference| difference.is_finite())
+    };
+    let value = value_at(first_zero(difference)?) / row.to_si;
+    Some(Cause { entry: row.key, value, tolerances: 1.0 / row.tolerance.max(Entry::Bore.row().tolerance) })
 }
 
 /// Returns the smallest positive change up to [`LARGEST_CHANGE`] at which a function changes its sign. Returns `None`

@@ -30,10 +30,22 @@ pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {
         to.contradictions.iter().flat_map(|found| found.likely_causes().map(|cause| cause.entry)).collect();
     doubted.sort_unstable();
     doubted.dedup();
+    let doubt = |quantity: &Quantity| quantity.from.iter().find_map(|name| model.doubtful_effect(name));
+    let direct: Vec<_> = to.quantities.iter().filter_map(|quantity| Some((quantity.name, doubt(quantity)?))).collect();
     for quantity in &mut to.quantities {
         let own: Vec<&str> = quantity.from.iter().copied().filter(|name| doubted.contains(name)).collect();
         if !own.is_empty() {
             let doubt = Sentence::from(phrases::IN_DOUBT).with_names("entries", own, phrases::COMMA);
+            let all = quantity.note.take().into_iter().chain([doubt]).collect();
+            quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));
+        }
+        // A quantity may follow from a parameter of the model, or from another quantity.
+        let of_quantity =
+            |name: &str| direct.iter().find(|(quantity, _)| *quantity == name).map(|(_, doubt)| doubt.clone());
+        let doubt = quantity.from.iter().find_map(|name| model.doubtful_effect(name).or_else(|| of_quantity(name)));
+        if let Some((effect, probability)) = doubt {
+            let doubt =
+                Sentence::from(phrases::DOUBTFUL_EFFECT).with("effect", effect).with("probability", probability);
             let all = quantity.note.take().into_iter().chain([doubt]).collect();
             quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));
         }

@@ -46,6 +46,16 @@ impl Identified<'_> {
         self.0.identification.notes.iter().any(|note| said.iter().any(|said| is_said(note, said)))
     }
 
+    /// Returns the element of a parameter with its probability as text, if the fit found it less probable than not.
+    pub fn doubtful_effect(&self, name: &str) -> Option<(&'static str, String)> {
+        let element = Number::find(name).ok()?.row().element()?.name();
+        let is_own =
+            |note: &&String| note.starts_with(&format!("{element}:")) || note.starts_with(&format!("{element} ("));
+        let (_, text) = self.0.identification.notes.iter().find(is_own)?.rsplit_once("; probability ")?;
+        let percent: f64 = text.trim_end_matches('%').trim().parse().ok()?;
+        (percent < 50.0).then(|| (element, text.to_owned()))
+    }
+
     /// Returns whether the FV curve of the model is a table.
     pub fn has_table(&self) -> bool {
         self.0.params.is_on(element!("fv_curve")) && self.0.params.number(number!("fv_form")) == 0.0

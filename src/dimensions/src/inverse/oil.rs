@@ -225,6 +225,7 @@ fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, t
         let found =
             through(&inputs, |x| oil::air_of_stroke(x[2].max(0.0), x[0] + oil::ATMOSPHERE, x[1]) * x[3] * 100.0);
         let from = std::iter::once("aeration_stroke").chain(chamber.map(Entry::key)).collect();
+        let found = at_most_all(found);
         return to.quantities.push(Quantity::new(NAME, "% at 1.013 bar absolute", found, from, errors::AIR));
     }
     let needed = [Entry::OilModulus, Entry::GasPressure, Entry::Bore];
@@ -259,5 +260,12 @@ fn air(model: &Identified, drawing: &Dimensions, effective: Option<Uncertain>, t
         (found.value, found.low) = (None, None);
     }
     let from = vec![NAME_OF_EFFECTIVE, Entry::OilModulus.key(), Entry::GasPressure.key(), Entry::Bore.key()];
+    let found = at_most_all(found);
     to.quantities.push(Quantity::new(NAME, "% at 1.013 bar absolute", found, from, errors::MODULUS));
+}
+
+/// Limits a volume fraction, %, to the whole volume.
+fn at_most_all(Interval { value, low, high }: Interval) -> Interval {
+    let limited = |end: Option<f64>| end.map(|end| end.min(100.0));
+    Interval { value: limited(value), low: limited(low), high: limited(high) }
 }

@@ -192,6 +192,7 @@ dashpot_messages::phrases! {
     LABELS_DEVIATE: "the forces of {count} of {all} tests contradict the other tests at their {name} and agree with those at another one: {groups}. {advice}";
     LABEL_GROUP: "{tests} (label {stated}, forces of {fitting})";
     LABEL_GROUP_OR_UNIT: "{group}, or {likely} written as {written}";
+    FORCES_UNLIKE: "the forces of {tests} differ from those of the other tests at like velocities by more than a damper changes them ({test}: {factor} times those of the other tests): check unit, gain and setting, or leave them out";
     LABELS_CHECK: "Check the labels of these tests; a corrected value goes into campaign.toml under settings";
     LABELS_MIRRORED: "Each of them has the force of the {name} counted from the other end. Check which end these and the other tests count from; corrected values go into campaign.toml under settings";
     MISSING_COLUMN: "{at}, line {line}: no column for {missing}; the columns are {found}.{near} Name the column with --column {example}=\"heading\"{otherwise}{units}";

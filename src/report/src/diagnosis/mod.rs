@@ -103,6 +103,9 @@ impl DiagnosisReport<'_> {
     fn sections(&self) -> Vec<Section> {
         let (found, words) = (self.found, self.words);
         let mut sections = vec![answer::section(found, words)];
+        let other = whole_records::of_another_damper(&self.over_whole_records, words);
+        // After the headline, before the figures that follow from the refit.
+        sections[0].blocks.splice(1..1, other.map(Block::Warning));
         sections[0].blocks.push(Block::Paragraph(whole_records::format_errors(&self.over_whole_records, words)));
         sections.extend(inventory::section(&found.inventory, &found.tests, words));
         sections.extend(findings::section(found, words));

@@ -91,7 +91,7 @@ mod tests {
         ];
         let effects = of_the_rig.into_iter().chain(["resonance", "moving_mass"]);
         for identifier in Element::all().map(Element::name).chain(effects) {
-            let name = FR.name_of(identifier).unwrap_or_else(|| panic!("{identifier} has no name"));
+            let name = FR.name_of(identifier).unwrap_or_else(|| panic!("{identifier} has no name in fr.ftl"));
             assert!(is_feminine(name) != MASCULINE.contains(&first_noun(name)), "{identifier}: {name}");
         }
     }

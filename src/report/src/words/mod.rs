@@ -243,7 +243,7 @@ pub(crate) mod tests {
                     let is_acceleration = text[at + 3..].starts_with(['²', '^']);
                     !is_acceleration && before.is_some_and(|c| c.is_whitespace() || c.is_ascii_digit() || c == '}')
                 });
-                assert_eq!(in_meters.count(), 0, "{name}: {id}");
+                assert_eq!(in_meters.count(), 0, "{name}: {id} has a velocity in m/s: write it in mm/s");
             }
         }
     }

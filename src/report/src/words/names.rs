@@ -163,7 +163,11 @@ pub(super) mod tests {
                 let is_name = !entry.id.starts_with("name-") || letters <= 42 && !entry.text.contains([',', '_']);
                 // A choice must be short, because a narrow panel lists the choices.
                 let is_choice = !entry.id.starts_with("choice-") || letters <= 21;
-                assert!(is_name && is_choice, "{file}: {}", entry.id);
+                assert!(
+                    is_name && is_choice,
+                    "{file}: {} has {letters} letters: a name has at most 42, without comma and underscore, a choice at most 21",
+                    entry.id
+                );
             }
         }
     }

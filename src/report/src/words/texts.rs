@@ -397,6 +397,7 @@ dashpot_messages::interface! {
         whole_deviation(error percent),
         whole_records(came refitted improved),
         whole_records_refitted(came refitted),
+        whole_records_other(came refitted),
         // The summary picture of a diagnosis.
         name_and_sure(name sure),
         picture_named(names),
@@ -520,6 +521,7 @@ dashpot_messages::interface! {
         groups_section,
         groups_caption,
         group_against(group reference),
+        group_note(groups text),
         col_group,
         col_answer,
         col_named,

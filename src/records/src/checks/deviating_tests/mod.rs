@@ -28,19 +28,20 @@ mod reference;
 mod unit;
 
 use self::label::Labels;
-use self::reference::{Reference, largest_agreeing};
+use self::reference::{Reference, agree, largest_agreeing};
 use self::unit::{WrongUnit, find_wrong_unit};
 use super::force_levels::{Levels, levels, velocity};
 use super::plausibility::shows_noise_alone;
 use crate::data::record::{Note, Record};
 use crate::error::{FilesUnit, PlausibilityError, RecordError, name_several};
 use crate::messages::phrases;
-use crate::numbers::sample_time;
+use crate::numbers::{median, sample_time};
 use crate::options::Options;
 use crate::quantities::channel::Channel;
+use crate::quantities::reading::digits;
 use crate::quantities::setting_value::{Setting, setting_in_words};
 use crate::quantities::unit::Unit;
-use crate::tuning::deviating_tests::{AS_LIKELY, SAME_MOTION};
+use crate::tuning::deviating_tests::{AS_LIKELY, FEWEST, OFF, SAME_MOTION};
 use dashpot_messages::Sentence;
 use std::collections::{BTreeMap, HashMap};
 
@@ -80,7 +81,8 @@ impl Seen<'_> {
 }
 
 /// Rejects a campaign if some of its files likely use another unit than they state. A unit given by the user counts as
-/// correct. Adds a note about tests that likely have the label of another setting.
+/// correct. Adds notes about tests that likely have the label of another setting, and about single tests whose forces
+/// differ by more than a damper changes them.
 pub(crate) fn check(
     records: &[Record],
     readings: &HashMap<String, Reading<'_>>,
@@ -110,6 +112,7 @@ pub(crate) fn check(
         .collect();
     let labels = Labels::new(&settings, &references);
     let mut wrong: BTreeMap<(usize, usize), Labeled<'_>> = BTreeMap::new();
+    let mut unlike: Vec<(&Seen<'_>, f64)> = Vec::new();
     for (own, tests) in settings.iter().enumerate() {
         for test in tests.iter().filter(|test| test.stated != own) {
             wrong.entry((test.stated, own)).or_default().tests.push(test);
@@ -130,13 +133,42 @@ pub(crate) fn check(
                 (Some(unit), _) => {
                     units.entry((unit.channel, unit.written, unit.likely)).or_default().push(test);
                 }
-                (None, _) => (),
+                (None, _) => unlike.extend(factor_to_others(test, tests, reference).map(|factor| (test, factor))),
             }
         }
         refuse_units(units, reference, records.len())?;
     }
     notes.extend(label_note(wrong.into_iter().collect(), &settings, &mirror, records.len()));
+    notes.extend(unlike_note(&unlike));
     Ok(())
+}
+
+/// Returns the factor between the forces of a test and those of the reference at equal velocities.
+///
+/// Returns `None` if a damper may cause it (below [`OFF`]), or if any other of the `tests` at this setting has similar
+/// forces: these may then be of another setting. Much shorter strokes are not compared, and a unit of force that the
+/// user gave counts as correct.
+fn factor_to_others(test: &Seen<'_>, tests: &[Seen<'_>], reference: &Reference<'_>) -> Option<f64> {
+    let is_alone = tests.iter().all(|other| std::ptr::eq(other, test) || !agree(&test.levels, &other.levels));
+    let is_given = test.reading.options.units.contains_key(&Channel::Force);
+    let mut off = reference.deviations(test, 1.0, 1.0);
+    if is_given || !is_alone || off.len() < FEWEST || !reference.are_as_short(test, test.record.amplitude) {
+        return None;
+    }
+    let factor = median(&mut off);
+    (factor.abs() > OFF).then(|| libm::exp(factor))
+}
+
+/// Returns a note about tests whose forces are those of the others times a factor that no wrong unit or label explains.
+fn unlike_note(unlike: &[(&Seen<'_>, f64)]) -> Option<Note> {
+    let far = |factor: f64| libm::log(factor).abs();
+    let (test, factor) = unlike.iter().max_by(|a, b| far(a.1).total_cmp(&far(b.1)))?;
+    let tests: Vec<String> = unlike.iter().map(|(test, _)| test.record.source.clone()).collect();
+    let text = Sentence::from(phrases::FORCES_UNLIKE)
+        .with_sentence("tests", name_several(&tests))
+        .with("test", &test.record.name)
+        .with("factor", digits(*factor, 2));
+    Some(Note { kind: "unlike", text })
 }
 
 /// Tests that state one setting but have the forces of another setting.
@@ -379,6 +411,32 @@ mod tests {
             });
         }
         assert_eq!(said(&records, &Options::default()), "");
+    }
+
+    /// Checks a damper whose springs shift the mean force at the ends of long strokes. The factor of the last file is that
+    /// of no unit.
+    #[test]
+    fn one_file_among_many_with_another_factor_is_seen_although_springs_shift_the_mean_force() {
+        let damper = || {
+            let mut records = campaign(1000.0, &PLAN);
+            for record in &mut records {
+                let sprung = record.force.iter().zip(&record.displacement).map(|(f, x)| f + 2e5 * x * x);
+                record.force = sprung.collect();
+            }
+            records
+        };
+        assert_eq!(said(&damper(), &Options::default()), "");
+        let with = |place: usize, factor: f64| {
+            let mut records = damper();
+            times(&mut records[place], Channel::Force, factor);
+            said(&records, &Options::default())
+        };
+        for place in 0..4 {
+            let message = with(place, 1e-3);
+            assert!(message.contains("kN written as N"), "{place}: {message}");
+        }
+        let message = with(2, 0.17);
+        assert!(message.contains("0.17 times those of the other tests") || message.contains("0.16 times"), "{message}");
     }
 
     /// Checks a semi-active damper without gas. The forces at its settings differ by a typical ratio of two units. A

@@ -1,9 +1,10 @@
 //! The reference of a test: the largest set of tests that agree, with their typical forces.
 
 use super::Seen;
-use crate::checks::force_levels::{Level, Levels, apart};
+use crate::checks::force_levels::{Level, Levels, apart, velocity};
 use crate::numbers::median;
 use crate::tuning::deviating_tests::{AGREE, AS_LONG, OF_SCATTER};
+use crate::tuning::force_levels::MIDDLE;
 use crate::tuning::load_cell::OFFSET;
 use std::collections::BTreeMap;
 
@@ -34,7 +35,8 @@ pub(super) fn largest_agreeing(seen: &[Seen<'_>]) -> Vec<usize> {
     members.into_values().rev().max_by_key(Vec::len).unwrap_or_default()
 }
 
-fn agree(one: &Levels, other: &Levels) -> bool {
+/// Returns whether two tests have similar forces at most of their common velocities.
+pub(super) fn agree(one: &Levels, other: &Levels) -> bool {
     let mut ratios: Vec<f64> =
         one.iter().filter_map(|(k, l)| Some(libm::log(l.against / other.get(k)?.against))).collect();
     !ratios.is_empty() && median(&mut ratios).abs() < AGREE
@@ -106,10 +108,12 @@ impl<'a> Reference<'a> {
     /// `factor`.
     ///
     /// This is so if the factor increases the deviation of the mean force from that of the reference, and the deviation
-    /// exceeds the acceptable value.
+    /// exceeds the acceptable value. Only the middle of the strokes counts, because springs and stops add to the mean
+    /// force at their ends.
     pub(super) fn gas_speaks_against(&self, test: &Seen<'_>, factor: f64) -> bool {
         let (mut as_read, mut otherwise, mut allowed) = (Vec::new(), Vec::new(), Vec::new());
-        for (k, level) in &test.levels {
+        let slowest = MIDDLE * test.record.peak_velocity;
+        for (k, level) in test.levels.iter().filter(|(k, _)| velocity(**k) >= slowest) {
             let Some((middle, scatter)) = self.between.get(k) else { continue };
             as_read.push((level.between - middle).abs());
             otherwise.push((factor * level.between - middle).abs());

@@ -84,7 +84,8 @@ fn evaluate(
     let usual_step = median(&mut steps.collect::<Vec<_>>());
     let step = libm::log(test.step());
     let fits = match channel {
-        Channel::Force => !reference.gas_speaks_against(test, factor),
+        // No setting of a damper and no gas force explains a factor beyond all dampers.
+        Channel::Force => beyond || !reference.gas_speaks_against(test, factor),
         // A wrong unit of time also changes the sampling, so the right unit moves the time step toward that of the
         // other tests. A wrong unit of displacement does not change the time step.
         Channel::Time => (step + libm::log(factor) - usual_step).abs() < (step - usual_step).abs(),
