@@ -94,9 +94,10 @@ impl Open<'_> {
         best
     }
 
-    /// Returns the fraction of the disagreement that an effect alone explains: in the most probable structure with the
-    /// effect that the search also visited without it, and not more than this structure explains of the best one.
-    /// Returns `None` if the search visited no such pair.
+    /// Returns the fraction of the disagreement that an effect alone explains, or `None` if the search did not show it.
+    ///
+    /// It follows from the most probable structure that the search visited with and without the effect. It is at most
+    /// what this structure explains of the best one.
     fn alone(&self, effect: &str) -> Option<f64> {
         let best = self.best.evidence.mean();
         let pairs = self.search.table.iter().filter_map(|(key, row)| {

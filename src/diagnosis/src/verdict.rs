@@ -21,8 +21,9 @@ use std::collections::BTreeSet;
 /// odds of such an error.
 const UNNAMED: f64 = 1.0;
 
-/// Smallest fraction of the disagreement that a suspect explains, relative to the suspect that explains most, at which
-/// the summary says that the records do not tell them apart. Others are listed with the part that they explain.
+/// Smallest ratio of what a suspect explains to what the first one explains at which the two count as rivals.
+///
+/// The summary says that the records do not tell rivals apart. Other suspects are listed with the part that they explain.
 const COMPARABLE: f64 = 0.25;
 
 /// Largest number of changes that the summary lists.

@@ -47,7 +47,7 @@ pub struct Args {
     /// Inventory, estimates and notes as JSON; - for standard output
     #[arg(long, value_name = "F")]
     json: Option<PathBuf>,
-    /// Every table as a sheet of one Excel workbook, with numeric cells
+    /// Every table as a sheet of one Excel workbook, with numeric cells; of a damper without a setting
     #[arg(long, value_name = "F.xlsx")]
     excel: Option<PathBuf>,
     /// Report of a damper over a setting (--setting): curves, errors and loops by setting. For an ordinary damper, dashpot validate writes

@@ -65,6 +65,13 @@ pub fn format_groups(answers: &GroupResults) -> Vec<String> {
             lines.push(format!("    and {}: --report or --json has them", count_more(all - changed.len())));
         }
     }
+    if is_chain {
+        // Both values are estimates of one damper from different records, so they may differ.
+        lines.push(
+            "note: before an arrow is the value of a group's own fit, after it that of the comparison with the group before"
+                .to_owned(),
+        );
+    }
     let first = answers.groups.first().map_or(&[][..], |answer| &answer.diagnosis.notes);
     lines.extend(first.iter().filter(|note| is_of_all(answers, note)).map(|note| format!("note: {note}")));
     lines.extend(answers.as_the_fit_saw.iter().map(|text| format!("note: {text}")));

@@ -3,6 +3,7 @@
 use super::model;
 use crate::quantity::SettingText;
 use anyhow::bail;
+use dashpot_core::family::Axis;
 use dashpot_identification::family::{at_setting, interpolated_between};
 use dashpot_identification::model_file::with_tables;
 use dashpot_records::setting_in_words;
@@ -40,14 +41,19 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     let remark = format!("{named} at {}", model::setting_at(&file.axis, setting));
     let text = with_tables(&at_setting(&file, setting), std::slice::from_ref(&remark))?;
     dashpot_output::write(&args.output, text)?;
-    let unit = file.axis.unit();
-    if let Some(neighbors) = interpolated_between(file.axis.grid(), setting) {
-        let [low, high] = neighbors.map(|value| setting_in_words(value, unit));
-        let here = setting_in_words(setting, unit);
-        dashpot_output::warn(&format!(
-            "note: {here} lies between the settings {low} and {high} of the model file, and its force is interpolated. \
-             `dashpot validate` with tests at {here} shows the error"
-        ));
+    if let Some(note) = note_of_interpolation(&file.axis, setting) {
+        dashpot_output::warn(&format!("note: {note}"));
     }
     dashpot_output::say(Some(&args.output), &format!("{remark} in {}", dashpot_output::target_name(&args.output)))
+}
+
+/// Returns a note if a setting lies between those of the model file, so that its force is interpolated.
+pub fn note_of_interpolation(axis: &Axis, setting: f64) -> Option<String> {
+    let neighbors = interpolated_between(axis.grid(), setting)?;
+    let [low, high] = neighbors.map(|value| setting_in_words(value, axis.unit()));
+    let here = setting_in_words(setting, axis.unit());
+    Some(format!(
+        "{here} lies between the settings {low} and {high} of the model file, and its force is interpolated. \
+         `dashpot validate` with tests at {here} shows the error"
+    ))
 }

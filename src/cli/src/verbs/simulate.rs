@@ -134,9 +134,14 @@ pub fn run(args: &Args) -> anyhow::Result<()> {
     dashpot_output::write(&args.output, csv(&answers, settings))?;
     // If the rows go to standard output, remarks go to standard error.
     let unreached = commands.as_ref().and_then(|commands| commands.unreached(*motion.time.last()?));
+    let interpolated = commands.as_ref().and_then(|commands| commands.interpolated(&file.axis));
     let clamped = commands.as_ref().and_then(|commands| commands.clamped(motion, &file.axis));
-    let of_setting =
-        commands.map_or_else(Vec::new, |commands| commands.notes).into_iter().chain(unreached).chain(clamped);
+    let of_setting = commands
+        .map_or_else(Vec::new, |commands| commands.notes)
+        .into_iter()
+        .chain(unreached)
+        .chain(clamped)
+        .chain(interpolated);
     for remark in
         of_sign.into_iter().chain(beyond(&model, &answers)).chain(coarse(&answers)).chain(of_setting).chain(unread)
     {

@@ -1,6 +1,7 @@
 //! Setting of the damper along a motion, from the file of the motion or from `dashpot simulate --setting`.
 
 use super::data::name_of;
+use super::setting::note_of_interpolation;
 use crate::quantity::{SettingText, seconds};
 use anyhow::bail;
 use dashpot_core::family::Axis;
@@ -176,6 +177,13 @@ impl Commands {
             "the setting {value} lies outside those of the model file, {low} to {high}, and is clamped to them at {count} of {all} samples; \
              check its unit"
         ))
+    }
+
+    /// Returns a note if the option states one setting, and its force is interpolated.
+    pub fn interpolated(&self, axis: &Axis) -> Option<String> {
+        let Source::Schedule(schedule, _) = &self.source else { return None };
+        let [(_, setting)] = schedule[..] else { return None };
+        note_of_interpolation(axis, setting)
     }
 
     /// Returns a note if the option has times after the end of the motion, `end`, s.
@@ -363,6 +371,19 @@ mod tests {
         let (is_read, notes) = source("clicks", false, 1.0);
         assert!(!is_read && !notes.contains("clicks"), "{notes}");
         assert!(source("clicks", true, 1.0).1.contains("the clicks is not read"));
+    }
+
+    #[test]
+    fn one_setting_between_those_of_the_model_file_is_said_to_be_interpolated() {
+        let axis = current();
+        let note = |text: &str| {
+            let schedule = Schedule::parse(text).unwrap();
+            let chosen = Commands::choose((Path::new("m.toml"), &axis), (Path::new("x.csv"), None), Some(&schedule));
+            chosen.unwrap().interpolated(&axis)
+        };
+        assert_eq!((note("0"), note("1.6"), note("9")), (None, None, None));
+        let said = note("0.3").unwrap();
+        assert!(said.contains("0.3 A lies between the settings") && said.contains("interpolated"), "{said}");
     }
 
     #[test]

@@ -141,17 +141,13 @@ impl Quantity {
         let unit = self.unit;
         let range = match (self.low, self.high) {
             (Some(low), Some(high)) => format!("95 %: {} to {}", digits(low), digits(high)),
-            (Some(low), None) => format!("95 %: at least {}", digits(low)),
-            (None, Some(high)) => format!("95 %: at most {}", digits(high)),
-            (None, None) => "open, for records and drawing leave every value possible".to_owned(),
+            (Some(low), None) => format!("95 %: at least {} {unit}", digits(low)),
+            (None, Some(high)) => format!("95 %: at most {} {unit}", digits(high)),
+            (None, None) => "not determined by records and drawing".to_owned(),
         };
         let note = self.note.as_ref().map_or_else(String::new, |note| format!("; {note}"));
         let name = self.name.replace('_', " ");
-        let value = match self.value {
-            Some(value) => format!("{} {unit}, ", digits(value)),
-            None if self.low.is_some() || self.high.is_some() => format!("{unit}, "),
-            None => String::new(),
-        };
+        let value = self.value.map_or_else(String::new, |value| format!("{} {unit}, ", digits(value)));
         format!("{name:<24} {value}{range}, from {}{note}", self.from.join(", "))
     }
 }
