@@ -208,6 +208,6 @@ mod tests {
         let sure = change(1306.0, 1330.0).sentence().to_string();
         assert!(sure.contains("-16 %") && !sure.contains("interval"), "{sure}");
         let unsure = change(1306.0, 1988.0).sentence().to_string();
-        assert!(unsure.ends_with("but no change is within its 95 % interval (1306 to 1988 N)"), "{unsure}");
+        assert!(unsure.ends_with("(uncertain: the 95 % interval, 1306 to 1988 N, contains the reference)"), "{unsure}");
     }
 }

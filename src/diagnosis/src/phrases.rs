@@ -69,7 +69,7 @@ dashpot_messages::phrases! {
     CHANGED_REBOUND_HIGH: "rebound force at high speed {percent} % ({reference} -> {value} N at {velocity} mm/s)";
     CHANGED_COMPRESSION_HIGH: "compression force at high speed {percent} % ({reference} -> {value} N at {velocity} mm/s)";
     OTHER_NUMBER: "{name} {reference} -> {value}";
-    UNCERTAIN_CHANGE: "{change}, but no change is within its 95 % interval ({low} to {high} {unit})";
+    UNCERTAIN_CHANGE: "{change} (uncertain: the 95 % interval, {low} to {high} {unit}, contains the reference)";
     MORE_NUMBERS: " and {count} more";
     CANNOT_SHOW: "; they cannot show {effects}";
     NOT_CONFIRMED: "; no test was left out to confirm it";
