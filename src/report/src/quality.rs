@@ -154,7 +154,7 @@ mod tests {
         };
         assert!(all(&[fine.clone()]).starts_with("Good fit") && !all(&[fine.clone()]).contains("fine"));
         let said = all(&[fine.clone(), test("road", [310.0, 12.0], [420.0, 17.0])]);
-        assert!(said.starts_with("Fair fit") && said.contains("worst in road, by 310 N on average (12 %"), "{said}");
+        assert!(said.starts_with("Fair fit") && said.contains("worst in road: 310 N on average (12 %"), "{said}");
         // A test that is only fair, or a weak one at the level of the noise, leaves the rating good.
         let said = all(&[fine.clone(), test("slow", [12.0, 3.0], [40.0, 10.0])]);
         assert!(said.starts_with("Good fit") && said.contains("worst in slow"), "{said}");
