@@ -7,7 +7,7 @@ use super::{effects, phrases};
 use dashpot_estimation::structure::context::{Form, Structure};
 use dashpot_estimation::structure::search::{StructureSearch, Visited};
 use dashpot_messages::Sentence;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 /// Largest number of rivals and suspects that are listed.
 pub(super) const LISTED: usize = 4;
@@ -52,10 +52,10 @@ impl Open<'_> {
         }
         // Structures in which another effect replaces an effect of the best structure are only in the table of the
         // search. An effect that only replaces one, and explains no more than the best structure does, is not missing.
-        for effect in self.best_rows(None).into_keys() {
-            let known = all.iter().any(|r| r.effect == effect);
-            if let Some(own) = self.alone(effect).filter(|_| !known) {
-                all.push(self.rival(effect, own));
+        let visited: BTreeSet<&'static str> = self.search.table.keys().flatten().map(|form| form.0).collect();
+        for effect in visited.into_iter().filter(|effect| self.is_open(effect)) {
+            if all.iter().all(|r| r.effect != effect) {
+                all.extend(self.alone(effect).map(|own| self.rival(effect, own)));
             }
         }
         all.retain(is_listed);
@@ -67,7 +67,7 @@ impl Open<'_> {
     /// Returns the effects that explain the records instead of the effect `named`, most probable first. The values of
     /// each effect are those of the most probable structure that contains it and not `named`.
     pub fn rivals(&self, named: &str) -> Vec<Rival> {
-        let mut rows: Vec<(&'static str, Row<'_>)> = self.best_rows(Some(named)).into_iter().collect();
+        let mut rows: Vec<(&'static str, Row<'_>)> = self.best_rows(named).into_iter().collect();
         rows.sort_by(|(a, one), (b, other)| other.1.log_posterior.total_cmp(&one.1.log_posterior).then(a.cmp(b)));
         let before = self.start.evidence.mean();
         let all = rows.into_iter().map(|(effect, (_, row))| self.rival(effect, explained(before, row.mean_square)));
@@ -81,9 +81,9 @@ impl Open<'_> {
 
     /// Returns, for each open effect, the most probable structure of the table that contains this effect and does not
     /// contain `without`.
-    fn best_rows(&self, without: Option<&str>) -> BTreeMap<&'static str, Row<'_>> {
+    fn best_rows(&self, without: &str) -> BTreeMap<&'static str, Row<'_>> {
         let mut best: BTreeMap<&'static str, Row<'_>> = BTreeMap::new();
-        for (key, row) in self.search.table.iter().filter(|(key, _)| key.iter().all(|form| Some(form.0) != without)) {
+        for (key, row) in self.search.table.iter().filter(|(key, _)| key.iter().all(|form| form.0 != without)) {
             for effect in key.iter().map(|form| form.0).filter(|effect| self.is_open(effect)) {
                 let known = best.entry(effect).or_insert((key, row));
                 if known.1.log_posterior < row.log_posterior {

@@ -467,12 +467,11 @@ fn nothing_falls_short_by_more_than_is_stated() {
         let cases = found.get(key).map_or(&[][..], Vec::as_slice);
         let allowed = stated.get(key).copied().unwrap_or(0);
         let (part, rule) = key;
-        println!("{part}: {} {rule}", cases.len());
-        cases.iter().filter(|case| !case.is_empty()).for_each(|case| println!("    {case}"));
+        let places: String = cases.iter().filter(|case| !case.is_empty()).map(|case| format!("\n    {case}")).collect();
+        println!("{part}: {} {rule}{places}", cases.len());
         match cases.len().cmp(&allowed) {
             std::cmp::Ordering::Greater => {
-                let places = cases.join("\n    ");
-                wrong.push(format!("{part}: {} {rule}, allowed {allowed}\n    {places}", cases.len()));
+                wrong.push(format!("{part}: {} {rule}, allowed {allowed}{places}", cases.len()));
             }
             std::cmp::Ordering::Less => wrong.push(format!("{part}: {rule}: lower it to {}", cases.len())),
             std::cmp::Ordering::Equal => {}

@@ -86,9 +86,7 @@ fn a_drawing_that_the_model_contradicts_is_reported_with_the_number_and_by_how_m
 #[test]
 fn a_drawing_without_gas_pressure_is_contradicted_without_a_ratio() {
     let folder = folder(MODEL, "rod_mm = 12\ngas_pressure_bar = 0\n");
-    done(folder.path(), &["explain", "m.toml", "--dimensions", "d.toml", "--json", "e.json"]);
-    let found = std::fs::read_to_string(folder.path().join("e.json")).unwrap();
-    let found: serde_json::Value = serde_json::from_str(&found).unwrap();
+    let found = explained(folder.path());
     let text = found["contradictions"][0]["text"].as_str().unwrap();
     assert!(
         text.starts_with("The gas force of the model, 283 N, contradicts the 0 N of 0 bar on a rod of 12 mm."),

@@ -35,23 +35,18 @@ pub fn explain(model: &ModelFile, drawing: &Dimensions) -> Explanation {
     for quantity in &mut to.quantities {
         let own: Vec<&str> = quantity.from.iter().copied().filter(|name| doubted.contains(name)).collect();
         if !own.is_empty() {
-            let doubt = Sentence::from(phrases::IN_DOUBT).with_names("entries", own, phrases::COMMA);
-            let all = quantity.note.take().into_iter().chain([doubt]).collect();
-            quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));
+            quantity.add_note(Sentence::from(phrases::IN_DOUBT).with_names("entries", own, phrases::COMMA));
         }
         // A quantity may follow from a parameter of the model, or from another quantity.
         let of_quantity =
             |name: &str| direct.iter().find(|(quantity, _)| *quantity == name).map(|(_, doubt)| doubt.clone());
         let doubt = quantity.from.iter().find_map(|name| model.doubtful_effect(name).or_else(|| of_quantity(name)));
         if let Some((effect, probability)) = doubt {
-            let doubt =
-                Sentence::from(phrases::DOUBTFUL_EFFECT).with("effect", effect).with("probability", probability);
-            let all = quantity.note.take().into_iter().chain([doubt]).collect();
-            quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));
+            let doubt = Sentence::from(phrases::DOUBTFUL_EFFECT);
+            quantity.add_note(doubt.with("effect", effect).with("probability", probability));
         }
         if quantity.from.iter().any(|name| model.had_prior(name)) {
-            let all = quantity.note.take().into_iter().chain([phrases::HAD_PRIOR.into()]).collect();
-            quantity.note = Some(Sentence::list(all, phrases::SEMICOLON));
+            quantity.add_note(phrases::HAD_PRIOR.into());
         }
     }
     to

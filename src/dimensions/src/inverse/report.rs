@@ -1,6 +1,6 @@
 //! Report of an explanation: quantities, gaps and contradictions, as JSON and as lines.
 
-use crate::phrases::QUANTITIES;
+use crate::phrases::{self, QUANTITIES};
 use crate::uncertain::Interval;
 use dashpot_messages::Sentence;
 use serde::Serialize;
@@ -130,6 +130,12 @@ impl Quantity {
         // If one end is unbounded, a central value would be misleading.
         let value = value.filter(|_| low.is_some() && high.is_some());
         Quantity { name, value, low, high, unit, from, model_error, note: None }
+    }
+
+    /// Adds a remark after the present one.
+    pub(super) fn add_note(&mut self, note: Sentence) {
+        let all = self.note.take().into_iter().chain([note]).collect();
+        self.note = Some(Sentence::list(all, phrases::SEMICOLON));
     }
 
     /// Returns the English name of the quantity.

@@ -133,6 +133,7 @@ pub(crate) fn check(
                 (Some(unit), _) => {
                     units.entry((unit.channel, unit.written, unit.likely)).or_default().push(test);
                 }
+                (None, _) if agrees => (),
                 (None, _) => unlike.extend(factor_to_others(test, tests, reference).map(|factor| (test, factor))),
             }
         }
@@ -149,14 +150,14 @@ pub(crate) fn check(
 /// forces: these may then be of another setting. Much shorter strokes are not compared, and a unit of force that the
 /// user gave counts as correct.
 fn factor_to_others(test: &Seen<'_>, tests: &[Seen<'_>], reference: &Reference<'_>) -> Option<f64> {
-    let is_alone = tests.iter().all(|other| std::ptr::eq(other, test) || !agree(&test.levels, &other.levels));
     let is_given = test.reading.options.units.contains_key(&Channel::Force);
     let mut off = reference.deviations(test, 1.0, 1.0);
-    if is_given || !is_alone || off.len() < FEWEST || !reference.are_as_short(test, test.record.amplitude) {
+    if is_given || off.len() < FEWEST || !reference.are_as_short(test, test.record.amplitude) {
         return None;
     }
     let factor = median(&mut off);
-    (factor.abs() > OFF).then(|| libm::exp(factor))
+    let is_alone = || tests.iter().all(|other| std::ptr::eq(other, test) || !agree(&test.levels, &other.levels));
+    (factor.abs() > OFF && is_alone()).then(|| libm::exp(factor))
 }
 
 /// Returns a note about tests whose forces are those of the others times a factor that no wrong unit or label explains.
